@@ -1,0 +1,68 @@
+"""What describes the bearings of a generator, their shaft and their lubrication (SI)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from coupling_design.arithmetic import Scalar
+
+
+class BearingType(StrEnum):
+    """Rolling element and direction of load, as ISO 281 distinguishes them."""
+
+    RADIAL_ROLLER = "radial_roller"
+    RADIAL_BALL = "radial_ball"
+
+
+class Cleanliness(StrEnum):
+    """The five contamination classes of ISO 281:2007 Annex A for grease."""
+
+    HIGH = "high"
+    NORMAL = "normal"
+    SLIGHT_TYPICAL = "slight_typical"
+    SEVERE = "severe"
+    VERY_SEVERE = "very_severe"
+
+
+@dataclass(frozen=True)
+class ShaftGeometry:
+    """Overhung shaft: l1 hub to bearing 1, l2 and l3 bearings to rotor [m], weight G [N]."""
+
+    hub_to_bearing_1: Scalar
+    bearing_1_to_rotor: Scalar
+    rotor_to_bearing_2: Scalar
+    rotor_weight: Scalar
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """A rolling bearing.
+
+    Attributes
+    ----------
+    name, designation : as the report calls it, and the maker's (NU2326)
+    type : BearingType
+    dynamic_load_rating : C_r [N]
+    static_load_rating : C_0 [N]
+    pitch_diameter : D_pw [m]
+    stress_coefficient : K1 in S = K1 sqrt(F) [Pa/sqrt(N)]
+    minimum_stress : S_min, below which fatigue is neglected [Pa]
+    """
+
+    name: str
+    designation: str
+    type: BearingType
+    dynamic_load_rating: Scalar
+    static_load_rating: Scalar
+    pitch_diameter: Scalar
+    stress_coefficient: Scalar
+    minimum_stress: Scalar
+
+
+@dataclass(frozen=True)
+class Lubrication:
+    """Kinematic viscosity at operating temperature [m^2/s] and grease cleanliness."""
+
+    viscosity: Scalar
+    cleanliness: Cleanliness
