@@ -1,0 +1,280 @@
+"""The arrows of ARCHITECTURE.md and the budget of CONTRIBUTING.md, read off the source.
+
+Imports count wherever they stand: at the top, in a function, under TYPE_CHECKING.
+"""
+
+import ast
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import coupling_design
+
+PACKAGE = "coupling_design"
+ROOT = Path(coupling_design.__file__).parent
+
+LEAVES = {"errors", "arithmetic"}
+MAY_IMPORT = {
+    "": set(),
+    "errors": set(),
+    "arithmetic": {"errors"},
+    "driveline": LEAVES,
+    "bearing": LEAVES,
+    "case": LEAVES | {"driveline", "bearing"},
+    "design": LEAVES | {"driveline", "bearing", "case"},
+    "report": {"errors", "case", "design"},
+    "__main__": {"errors", "case", "design", "report"},
+}
+ONLY_IN = {
+    "rich": {"report", "__main__"},
+    "yaml": {"case"},
+    "pydantic": {"case"},
+    "pydantic_core": {"case"},
+    "pint": {"case"},
+    "casadi": {"arithmetic", "driveline", "bearing", "case", "design"},
+}
+LINES_PER_MODULE = 250
+LINES_PER_FUNCTION = 40
+
+
+def modules(root):
+    """Return the syntax tree of each module of a package by its dotted name."""
+    trees = {}
+    for path in sorted(root.rglob("*.py")):
+        parts = path.relative_to(root).with_suffix("").parts
+        name = ".".join((PACKAGE, *parts)).removesuffix(".__init__")
+        trees[name] = ast.parse(path.read_text(encoding="utf-8"), filename=str(path))
+    return trees
+
+
+def packages(root):
+    return {
+        ".".join((PACKAGE, *path.parent.relative_to(root).parts))
+        for path in root.rglob("__init__.py")
+    }
+
+
+def imported(name, tree, known, package_names):
+    """Yield the dotted name of everything a module imports."""
+    parent = name if name in package_names else name.rpartition(".")[0]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            ancestors = parent.split(".")
+            base = ancestors[: len(ancestors) + 1 - node.level] if node.level else []
+            source = ".".join([*base, *filter(None, [node.module])])
+            members = (f"{source}.{alias.name}" for alias in node.names)
+            yield from (member if member in known else source for member in members)
+
+
+def graph(root):
+    """Return which modules of the package, and which libraries, each module imports."""
+    trees = modules(root)
+    names = packages(root)
+    return {
+        name: set(imported(name, tree, set(trees), names))
+        for name, tree in trees.items()
+    }
+
+
+def layer(name):
+    """Return the part directly under the package: `driveline` for its dynamics."""
+    return name.removeprefix(PACKAGE).lstrip(".").partition(".")[0]
+
+
+def is_ours(name):
+    return name.split(".")[0] == PACKAGE
+
+
+def wrong_arrows(root):
+    """Return each import between our own parts that no arrow allows."""
+    return sorted(
+        f"{name} imports {target}"
+        for name, targets in graph(root).items()
+        for target in filter(is_ours, targets)
+        if layer(target) not in {"", layer(name)} | MAY_IMPORT.get(layer(name), set())
+    )
+
+
+def wrong_libraries(root):
+    """Return each import of a library outside the parts it belongs to."""
+    return sorted(
+        f"{name} imports {target}"
+        for name, targets in graph(root).items()
+        for target in targets
+        if layer(name) not in ONLY_IN.get(target.split(".")[0], {layer(name)})
+    )
+
+
+def unknown_parts(root):
+    """Return each part of the package of which MAY_IMPORT says nothing."""
+    return sorted({layer(name) for name in modules(root)} - set(MAY_IMPORT))
+
+
+def cycle(root):
+    """Return the modules of one import cycle, or nothing."""
+    try:
+        TopologicalSorter(graph(root)).prepare()
+    except CycleError as error:
+        return error.args[1]
+    return []
+
+
+def forbidden_statements(root):
+    """Return each call of print and each assert statement."""
+    found = []
+    for name, tree in modules(root).items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Assert):
+                found.append(f"{name}:{node.lineno} assert")
+            if isinstance(node, ast.Name) and node.id == "print":
+                found.append(f"{name}:{node.lineno} print")
+    return found
+
+
+def long_modules(root):
+    lengths = {
+        str(path.relative_to(root)): len(path.read_text(encoding="utf-8").splitlines())
+        for path in root.rglob("*.py")
+    }
+    return {path: n for path, n in lengths.items() if n > LINES_PER_MODULE}
+
+
+def code_lines(function):
+    """Return a function's length from `def` to its end, docstring not counted."""
+    total = function.end_lineno - function.lineno + 1
+    if ast.get_docstring(function) is None:
+        return total
+    return total - (function.body[0].end_lineno - function.body[0].lineno + 1)
+
+
+def long_functions(root):
+    return {
+        f"{name}:{node.name}": code_lines(node)
+        for name, tree in modules(root).items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef)
+        if code_lines(node) > LINES_PER_FUNCTION
+    }
+
+
+def test_arrows_point_one_way():
+    assert wrong_arrows(ROOT) == []
+
+
+def test_every_part_has_its_arrows():
+    assert unknown_parts(ROOT) == []
+
+
+def test_libraries_stay_where_they_belong():
+    assert wrong_libraries(ROOT) == []
+
+
+def test_no_import_cycle():
+    assert cycle(ROOT) == []
+
+
+def test_no_print_and_no_assert():
+    assert forbidden_statements(ROOT) == []
+
+
+def test_budget_of_modules():
+    assert long_modules(ROOT) == {}
+
+
+def test_budget_of_functions():
+    assert long_functions(ROOT) == {}
+
+
+@pytest.fixture
+def plant(tmp_path):
+    """Return a writer of modules into a small sound package."""
+
+    def write(path, text):
+        target = tmp_path / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+        return tmp_path
+
+    for path in ("", "driveline/", "bearing/", "design/", "report/"):
+        write(f"{path}__init__.py", "")
+    write("errors.py", "")
+    write("driveline/modes.py", "import casadi\nfrom ..errors import Error\n")
+    write("bearing/life.py", "from coupling_design import __version__, errors\n")
+    write("design/flow.py", "from coupling_design.driveline import modes\n")
+    return write
+
+
+def test_a_sound_package_passes(plant):
+    root = plant("report/panels.py", "import rich\nfrom coupling_design import design")
+    checks = (wrong_arrows, wrong_libraries, unknown_parts, cycle, forbidden_statements)
+    assert [check(root) for check in checks] == [[]] * len(checks)
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "import coupling_design.design.flow",
+        "from coupling_design.design import flow",
+        "from coupling_design.design.flow import STAGES",
+        "from ..design import flow",
+        "def late():\n    from coupling_design.design import flow",
+        "if TYPE_CHECKING:\n    from coupling_design.design import flow",
+    ],
+)
+def test_a_wrong_arrow_is_found(plant, statement):
+    root = plant("bearing/damage.py", statement)
+    [found] = wrong_arrows(root)
+    assert found.startswith("coupling_design.bearing.damage imports coupling_design.de")
+
+
+def test_strangers_stay_strangers(plant):
+    root = plant("bearing/damage.py", "from coupling_design import driveline")
+    assert wrong_arrows(root) == [
+        "coupling_design.bearing.damage imports coupling_design.driveline"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("path", "library"),
+    [
+        ("design/flow.py", "rich"),
+        ("design/flow.py", "pint"),
+        ("driveline/modes.py", "yaml"),
+        ("errors.py", "pydantic"),
+        ("report/panels.py", "casadi"),
+    ],
+)
+def test_a_misplaced_library_is_found(plant, path, library):
+    root = plant(path, f"def late():\n    from {library}.part import thing")
+    assert [found.split()[-1] for found in wrong_libraries(root)] == [f"{library}.part"]
+
+
+def test_a_cycle_is_found(plant):
+    root = plant("driveline/modes.py", "from coupling_design.driveline import rollout")
+    plant("driveline/rollout.py", "def late():\n    from . import modes")
+    assert set(cycle(root)) == {
+        "coupling_design.driveline.modes",
+        "coupling_design.driveline.rollout",
+    }
+
+
+def test_an_unknown_part_is_found(plant):
+    assert unknown_parts(plant("utils.py", "")) == ["utils"]
+
+
+def test_print_and_assert_are_found(plant):
+    root = plant("errors.py", "assert True\nprint('x')")
+    assert forbidden_statements(root) == [
+        "coupling_design.errors:1 assert",
+        "coupling_design.errors:2 print",
+    ]
+
+
+def test_excess_length_is_found(plant):
+    body = "    x = 1\n" * LINES_PER_FUNCTION
+    root = plant("errors.py", f'def f():\n    """Say."""\n{body}' + "\n" * 250)
+    assert list(long_modules(root)) == ["errors.py"]
+    assert long_functions(root) == {"coupling_design.errors:f": LINES_PER_FUNCTION + 1}
