@@ -56,6 +56,11 @@ def absolute(value: Scalar) -> Scalar:
     return _unary("fabs", "abs", value)
 
 
+def sign(value: Scalar) -> Scalar:
+    """Return -1, 0 or 1."""
+    return _unary("sign", "sign", value)
+
+
 def maximum(first: Scalar, second: Scalar) -> Scalar:
     """Return the larger of two values, element by element."""
     if is_symbolic(first, second):
