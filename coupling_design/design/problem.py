@@ -1,0 +1,226 @@
+"""The design as a nonlinear program: variables, objective and named constraints.
+
+A stage contributes constraints by name; the program is scaled so that every variable
+runs from 0 to 1, every constraint is value over limit, and damage enters by logarithm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.arithmetic import Scalar
+from coupling_design.design.evaluation import TOTALS, Evaluator
+from coupling_design.design.results import Criterion, Performance, Sense
+
+# The program's limits lie this much inside the true ones, relative, so that a point
+# which the solver puts on a limit passes it when it is checked again.
+BACK_OFF = 1e-6
+
+
+class Objective(StrEnum):
+    """What a program minimises."""
+
+    DAMAGE = "damage"
+    STIFFNESS = "torsional stiffness"
+    PEAK = "load over its limit"
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """A named limit on what a design does.
+
+    `quantity` reads the value from a performance of numbers or symbols; `unit` is SI.
+    """
+
+    name: str
+    quantity: Callable[[Performance], Scalar]
+    limit: float
+    sense: Sense
+    unit: str
+    source: str
+
+    def excess(self, performance: Performance) -> Scalar:
+        """Return how far the limit is exceeded, relative to it; negative inside."""
+        ratio = self.quantity(performance) / self.limit - 1
+        return ratio if self.sense is Sense.AT_MOST else -ratio
+
+    def criterion(self, performance: Performance) -> Criterion:
+        """Return the constraint held against a performance of numbers."""
+        excess = float(self.excess(performance))
+        return Criterion(
+            name=self.name,
+            value=float(self.quantity(performance)),
+            limit=self.limit,
+            sense=self.sense,
+            unit=self.unit,
+            passes=excess <= 0.0,
+            margin=-excess + 0.0,
+            source=self.source,
+        )
+
+
+@dataclass(frozen=True)
+class DesignSpace:
+    """Bounds of stiffness [N m/rad] and gap [m]; equal gap bounds fix the gap."""
+
+    stiffness: tuple[float, float]
+    gap: tuple[float, float]
+
+    @property
+    def gap_is_free(self) -> bool:
+        """Whether the gap is a variable of the program."""
+        return self.gap[1] > self.gap[0]
+
+    def scaled(self, stiffness: float, gap: float) -> list[float]:
+        """Return a point in the program's variables, logarithm of stiffness, then gap."""
+        low, high = np.log(self.stiffness)
+        scaled = [(float(np.log(stiffness)) - low) / (high - low) if high > low else 0.0]
+        if self.gap_is_free:
+            scaled.append((gap - self.gap[0]) / (self.gap[1] - self.gap[0]))
+        return [float(np.clip(value, 0.0, 1.0)) for value in scaled]
+
+    def point(self, scaled: Scalar) -> tuple[Scalar, Scalar]:
+        """Return (stiffness, gap) of the program's variables, values or symbols."""
+        low, high = (float(value) for value in np.log(self.stiffness))
+        stiffness = ca.exp(low + (high - low) * scaled[0])
+        if not self.gap_is_free:
+            return stiffness, self.gap[0]
+        return stiffness, self.gap[0] + (self.gap[1] - self.gap[0]) * scaled[1]
+
+
+@dataclass(frozen=True)
+class DesignProblem:
+    """What is minimised over a design space, subject to which constraints.
+
+    With Objective.PEAK the load constraints named in `load_names` are what is
+    minimised, and do not constrain.
+    """
+
+    evaluator: Evaluator
+    space: DesignSpace
+    objective: Objective
+    constraints: tuple[Constraint, ...]
+    load_names: frozenset[str] = frozenset()
+
+    def value(self, performance: Performance) -> Scalar:
+        """Return the scaled objective, smaller is better; numbers or symbols."""
+        if self.objective is Objective.STIFFNESS:
+            return ca.log(performance.torsional_stiffness / self.space.stiffness[0])
+        if self.objective is Objective.DAMAGE:
+            return ca.log(ca.fmax(*performance.damages))
+        return self.load_ratio(performance)
+
+    def load_ratio(self, performance: Performance) -> Scalar:
+        """Return the largest load over its limit [-]."""
+        ratio: Scalar = 0.0
+        for constraint in self.constraints:
+            if constraint.name in self.load_names:
+                ratio = ca.fmax(ratio, 1 + constraint.excess(performance))
+        return ratio
+
+    @property
+    def binding(self) -> tuple[Constraint, ...]:
+        """The constraints that hold in this program."""
+        if self.objective is not Objective.PEAK:
+            return self.constraints
+        return tuple(c for c in self.constraints if c.name not in self.load_names)
+
+    def is_feasible(self, performance: Performance) -> bool:
+        """Return whether numbers meet every constraint of this program."""
+        return all(float(c.excess(performance)) <= 0.0 for c in self.binding)
+
+    def violation(self, performance: Performance) -> float:
+        """Return the largest relative excess of any constraint, 0 if none."""
+        return max(
+            (float(c.excess(performance)) for c in self.binding), default=0.0
+        )
+
+    def functions(self) -> tuple[ca.Function, list[object]]:
+        """Return (scaled variables) -> (objective, constraints <= 0), with derivatives.
+
+        The second result must be kept alive as long as the function is used.
+        """
+        n = 2 if self.space.gap_is_free else 1
+        u = ca.MX.sym("u", n)
+        stiffness, gap = self.space.point(u)
+        rollout = RolloutCallback(self.evaluator)
+        totals = rollout(ca.vertcat(stiffness, gap))
+        performance = self.evaluator.read(stiffness, gap, totals)
+        excess = [c.excess(performance) + BACK_OFF for c in self.binding]
+        program = ca.Function(
+            "program", [u], [self.value(performance), ca.vertcat(*excess)]
+        )
+        return program, [rollout]
+
+
+class RolloutCallback(ca.Callback):
+    """The rollout as a CasADi function of (stiffness, gap), with its exact Jacobian."""
+
+    def __init__(self, evaluator: Evaluator) -> None:
+        ca.Callback.__init__(self)
+        self._evaluator = evaluator
+        self._kept: list[ca.Callback] = []
+        self.construct("rollout", {})
+
+    def get_n_in(self) -> int:
+        """Return 1: the point."""
+        return 1
+
+    def get_n_out(self) -> int:
+        """Return 1: the totals."""
+        return 1
+
+    def get_sparsity_in(self, _: int) -> ca.Sparsity:
+        """Return the shape of the point."""
+        return ca.Sparsity.dense(2)
+
+    def get_sparsity_out(self, _: int) -> ca.Sparsity:
+        """Return the shape of the totals."""
+        return ca.Sparsity.dense(len(TOTALS))
+
+    def eval(self, arguments: list[ca.DM]) -> list[ca.DM]:
+        """Return the totals at a point."""
+        stiffness, gap = (float(value) for value in arguments[0].full().ravel())
+        return [ca.DM(self._evaluator.totals_and_jacobian(stiffness, gap)[0])]
+
+    def has_jacobian(self) -> bool:
+        """Return that the Jacobian is known exactly."""
+        return True
+
+    def get_jacobian(
+        self, name: str, _inames: list[str], _onames: list[str], opts: dict[str, object]
+    ) -> ca.Function:
+        """Return the Jacobian as a callback of its own."""
+        jacobian = _JacobianCallback(self._evaluator, name, opts)
+        self._kept.append(jacobian)
+        return jacobian
+
+
+class _JacobianCallback(ca.Callback):
+    def __init__(
+        self, evaluator: Evaluator, name: str, options: dict[str, object]
+    ) -> None:
+        ca.Callback.__init__(self)
+        self._evaluator = evaluator
+        self.construct(name, options)
+
+    def get_n_in(self) -> int:
+        return 2
+
+    def get_n_out(self) -> int:
+        return 1
+
+    def get_sparsity_in(self, i: int) -> ca.Sparsity:
+        return ca.Sparsity.dense(2 if i == 0 else len(TOTALS))
+
+    def get_sparsity_out(self, _: int) -> ca.Sparsity:
+        return ca.Sparsity.dense(len(TOTALS), 2)
+
+    def eval(self, arguments: list[ca.DM]) -> list[ca.DM]:
+        stiffness, gap = (float(value) for value in arguments[0].full().ravel())
+        return [ca.DM(self._evaluator.totals_and_jacobian(stiffness, gap)[1])]

@@ -1,0 +1,227 @@
+"""What a design run found: plain frozen values in SI, for the report and for JSON."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from coupling_design.arithmetic import Scalar
+from coupling_design.case.case import Case, Plan, SourcedValue
+
+
+class Sense(StrEnum):
+    """Which side of its limit a value must lie on."""
+
+    AT_MOST = "<="
+    AT_LEAST = ">="
+
+
+class Decision(StrEnum):
+    """How a step of the flow ended."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    SKIPPED = "skipped"
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """A value held against its limit.
+
+    `margin` is the distance to the limit relative to it, positive on the good side.
+    `unit` is SI. `source` says where the limit comes from.
+    """
+
+    name: str
+    value: float
+    limit: float
+    sense: Sense
+    unit: str
+    passes: bool
+    margin: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Performance:
+    """What one run-down with one coupling does; numbers, or symbols inside the NLP.
+
+    Attributes
+    ----------
+    torsional_stiffness : k_dyn [N m/rad]
+    key_gap : Phi [m], 0 for a tight fit
+    natural_frequency : lowest, gap closed, undamped [Hz]
+    damages : Miner sum of bearing 1 and of bearing 2 [-]
+    peak_transmission_force : largest |F_c| [N]
+    peak_combined_load : largest load of bearing 1 and of bearing 2 [N]
+    """
+
+    torsional_stiffness: Scalar
+    key_gap: Scalar
+    natural_frequency: Scalar
+    damages: tuple[Scalar, Scalar]
+    peak_transmission_force: Scalar
+    peak_combined_load: tuple[Scalar, Scalar]
+
+    @property
+    def damage(self) -> float:
+        """Miner sum of the bearing that suffers more [-]."""
+        return float(max(self.damages))
+
+
+@dataclass(frozen=True)
+class Conditioning:
+    """How firmly a damage stands.
+
+    Attributes
+    ----------
+    damage_change_by_start : relative change when the start is moved by 1e-12 rad
+    damage_change_by_step : relative change when the time step is halved
+    peak_change_by_step : relative change of the peak force when it is halved
+    digits : significant digits that both leave standing, 1 to 6
+    """
+
+    damage_change_by_start: float
+    damage_change_by_step: float
+    peak_change_by_step: float
+    digits: int
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """A point that an optimisation ended at, checked again on its own.
+
+    Attributes
+    ----------
+    objective : what was minimised, in words
+    performance : of the point, by a rollout of its own
+    connection : key, spline or tight_fit
+    coupling_type : name
+    method : "ipopt", or "scan" where Ipopt gave nothing better
+    solver_status : Ipopt's own words
+    starts, starts_agreeing : how many there were and how many ended at this point
+    scan_points : rollouts of the scan that chose the starts
+    rollouts : evaluations of all starts together
+    kkt_residual : largest entry of the scaled Lagrangian's gradient at the point [-]
+    active_constraints : names of constraints and bounds that hold the point
+    conditioning : how firmly its damage stands
+    """
+
+    objective: str
+    performance: Performance
+    connection: str
+    coupling_type: str
+    method: str
+    solver_status: str
+    starts: int
+    starts_agreeing: int
+    scan_points: int
+    rollouts: int
+    kkt_residual: float | None
+    active_constraints: tuple[str, ...]
+    conditioning: Conditioning | None
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """One line of what a step examined: a candidate, how it fared, and why."""
+
+    name: str
+    passes: bool
+    performance: Performance | None
+    remark: str
+
+
+@dataclass(frozen=True)
+class StepResult:
+    """What one step of the flow asked and found.
+
+    `findings` are sentences on what was examined, `caveats` on what to be wary of.
+    """
+
+    step: int
+    title: str
+    question: str
+    decision: Decision
+    criteria: tuple[Criterion, ...] = ()
+    alternatives: tuple[Alternative, ...] = ()
+    findings: tuple[str, ...] = ()
+    caveats: tuple[str, ...] = ()
+    optimum: Optimum | None = None
+
+
+@dataclass(frozen=True)
+class Rundown:
+    """How a run-down went, read from its history.
+
+    Attributes
+    ----------
+    resonance_speed : shaft speed at the largest swing of the force [rad/s]
+    resonance_swing : half the peak-to-peak of the force at that swing [N]
+    rest_time : when the engine came to rest [s], None if it did not
+    revolutions : turns of the generator shaft, forward [-]
+    final_speed : of the generator [rad/s]
+    out_of_range_time : time with viscosity ratio below ISO 281's range [s]
+    """
+
+    resonance_speed: float
+    resonance_swing: float
+    rest_time: float | None
+    revolutions: float
+    final_speed: float
+    out_of_range_time: float
+
+
+@dataclass(frozen=True)
+class Baseline:
+    """The present coupling in the present connection."""
+
+    performance: Performance
+    connection: str
+    coupling_type: str
+    rundown: Rundown
+    conditioning: Conditioning
+    time_step: float
+    largest_stable_step: float
+
+
+@dataclass(frozen=True)
+class ChosenDesign:
+    """The coupling to take, its damage against the present one."""
+
+    plan: Plan
+    coupling_type: str
+    connection: str
+    performance: Performance
+    rundown: Rundown
+    conditioning: Conditioning
+    damage_reduction: float
+
+
+@dataclass(frozen=True)
+class LoadReading:
+    """One way to read the load limit, and what the chosen design does under it."""
+
+    reading: str
+    criteria: tuple[Criterion, ...]
+    passes: bool
+    permissible_transmission_force: float
+
+
+@dataclass(frozen=True)
+class DesignOutcome:
+    """The whole run: everything a report needs.
+
+    `chosen` is None when no design meets the limits; `nearest` then names the
+    candidate that came nearest and `nearest_criteria` how near.
+    """
+
+    case: Case
+    baseline: Baseline
+    steps: tuple[StepResult, ...]
+    chosen: ChosenDesign | None
+    strict_reading: LoadReading | None
+    nearest: Performance | None
+    nearest_criteria: tuple[Criterion, ...]
+    assumptions: tuple[SourcedValue, ...]
+    run_time: float

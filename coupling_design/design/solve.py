@@ -1,0 +1,171 @@
+"""Ipopt from several starts, every end checked again by a rollout of its own.
+
+"Solve_Succeeded" is no proof on a function that rattling may roughen: the answer is
+the best verified point of all starts and of the scan, and it says which it was.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.design.conditioning import conditioning
+from coupling_design.design.problem import DesignProblem
+from coupling_design.design.results import Conditioning, Optimum, Performance
+from coupling_design.design.scan import best_first, grid, local_minima
+
+# Exact first derivatives, approximated second ones: a second derivative of 120 000
+# steps costs more than the iterations it would save.
+_IPOPT = {
+    "hessian_approximation": "limited-memory",
+    "mu_strategy": "adaptive",
+    # A damage is known to about five digits: more in the multipliers is not in it.
+    "tol": 1e-5,
+    "acceptable_tol": 1e-3,
+    "acceptable_iter": 5,
+    "max_iter": 40,
+    # Scaled by hand already; one chaotic gradient must not set the scale.
+    "nlp_scaling_method": "none",
+    # A limit is a limit: no point beyond the bounds, not even by rounding.
+    "bound_relax_factor": 0.0,
+    "print_level": 0,
+    "sb": "yes",
+}
+# A bound or constraint holds the point if it is this near, in scaled terms.
+_ACTIVE = 1e-4
+# Starts agree when they end this near in objective (a ratio, as it is a logarithm or
+# of order one) and in every scaled variable.
+_SAME_OBJECTIVE, _SAME_POINT = 1e-3, 1e-2
+
+
+@dataclass(frozen=True)
+class _End:
+    scaled: tuple[float, ...]
+    performance: Performance
+    status: str
+    residual: float
+
+
+def optimise(
+    problem: DesignProblem,
+    scanned: Sequence[Performance],
+    n_starts: int,
+) -> Optimum:
+    """Return the best verified point, from the best `n_starts` of a scan.
+
+    The point may violate constraints if nothing examined met them: ask the problem.
+    """
+    starts = _choose_starts(problem, scanned, n_starts)
+    before = problem.evaluator.rollouts
+    ends = [_run_ipopt(problem, start) for start in starts]
+    rollouts = problem.evaluator.rollouts - before
+    best_end = best_first(problem, [end.performance for end in ends])[0]
+    winner = best_first(problem, [best_end, *scanned])[0]
+    by_ipopt = winner is best_end
+    end = next(end for end in ends if end.performance is best_end)
+    return Optimum(
+        objective=problem.objective.value,
+        performance=winner,
+        connection=problem.evaluator.candidate.connection.kind.value,
+        coupling_type=problem.evaluator.candidate.coupling_type.name,
+        method="ipopt" if by_ipopt else "scan",
+        solver_status=end.status,
+        starts=len(ends),
+        starts_agreeing=_count_agreeing(problem, winner, ends),
+        scan_points=len(scanned),
+        rollouts=rollouts,
+        kkt_residual=end.residual if by_ipopt else None,
+        active_constraints=_active(problem, winner),
+        conditioning=_conditioning(problem, winner),
+    )
+
+
+def scan(
+    problem: DesignProblem, n_stiffness: int, n_gaps: int = 1
+) -> tuple[Performance, ...]:
+    """Return the performances on a grid over the problem's design space."""
+    return problem.evaluator.performances(grid(problem.space, n_stiffness, n_gaps))
+
+
+def _choose_starts(
+    problem: DesignProblem, scanned: Sequence[Performance], n_starts: int
+) -> list[Performance]:
+    """Return the best valley floors first, then the best of the rest."""
+    ranked = best_first(problem, scanned)
+    floors = scanned if problem.space.gap_is_free else local_minima(problem, scanned)
+    preferred = [p for p in ranked if any(p is floor for floor in floors)]
+    others = [p for p in ranked if not any(p is floor for floor in floors)]
+    return [*preferred, *others][:n_starts]
+
+
+def _run_ipopt(problem: DesignProblem, start: Performance) -> _End:
+    program, kept = problem.functions()
+    n = program.size1_in(0)
+    u = ca.MX.sym("u", n)
+    objective, excess = program(u)
+    solver = ca.nlpsol(
+        "design",
+        "ipopt",
+        {"x": u, "f": objective, "g": excess},
+        {"ipopt": _IPOPT, "print_time": False, "error_on_fail": False},
+    )
+    u0 = problem.space.scaled(start.torsional_stiffness, start.key_gap)
+    found = solver(x0=u0, lbx=0.0, ubx=1.0, lbg=-ca.inf, ubg=0.0)
+    scaled = np.clip(np.asarray(found["x"]).ravel(), 0.0, 1.0)
+    stiffness, gap = (float(value) for value in problem.space.point(ca.DM(scaled)))
+    residual = _kkt_residual(program, found)
+    status = str(solver.stats()["return_status"])
+    del kept
+    return _End(
+        tuple(scaled),
+        problem.evaluator.performance(stiffness, gap),
+        status,
+        residual,
+    )
+
+
+def _kkt_residual(program: ca.Function, found: dict[str, ca.DM]) -> float:
+    """Return the largest entry of grad f + J' lam_g + lam_x at what was found."""
+    u = program.mx_in(0)
+    objective, excess = program(u)
+    derivatives = ca.Function(
+        "derivatives", [u], [ca.gradient(objective, u), ca.jacobian(excess, u)]
+    )
+    gradient, jacobian = derivatives(found["x"])
+    residual = gradient + jacobian.T @ found["lam_g"] + found["lam_x"]
+    return float(ca.norm_inf(residual))
+
+
+def _count_agreeing(
+    problem: DesignProblem, winner: Performance, ends: Sequence[_End]
+) -> int:
+    target = problem.space.scaled(winner.torsional_stiffness, winner.key_gap)
+    value = float(problem.value(winner))
+
+    def agrees(end: _End) -> bool:
+        distance = max(abs(a - b) for a, b in zip(end.scaled, target, strict=True))
+        difference = abs(float(problem.value(end.performance)) - value)
+        return difference <= _SAME_OBJECTIVE and distance <= _SAME_POINT
+
+    return sum(agrees(end) for end in ends)
+
+
+def _active(problem: DesignProblem, performance: Performance) -> tuple[str, ...]:
+    names = ["torsional stiffness", "key gap"]
+    scaled = problem.space.scaled(performance.torsional_stiffness, performance.key_gap)
+    active = [
+        f"{name} at its {'upper' if value > 0.5 else 'lower'} bound"
+        for name, value in zip(names, scaled, strict=False)
+        if min(value, 1 - value) <= _ACTIVE
+    ]
+    active += [
+        c.name for c in problem.binding if abs(float(c.excess(performance))) <= _ACTIVE
+    ]
+    return tuple(active)
+
+
+def _conditioning(problem: DesignProblem, performance: Performance) -> Conditioning:
+    return conditioning(problem.evaluator, performance)
