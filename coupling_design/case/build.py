@@ -1,0 +1,155 @@
+"""From a validated case file to the `Case` that the physics is given."""
+
+from __future__ import annotations
+
+from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
+from coupling_design.case.case import (
+    Case,
+    ConnectionKind,
+    ConnectionOption,
+    CouplingType,
+    Duty,
+    Joint,
+    SourcedValue,
+)
+from coupling_design.case.schema import (
+    CaseSection,
+    ConnectionChoices,
+    CouplingTypeSection,
+    DrivelineSection,
+    DutySection,
+    LossFactor,
+    PresentConnection,
+    Proportional,
+    Relative,
+)
+from coupling_design.driveline.parameters import (
+    Connection,
+    Coupling,
+    DampingLaw,
+    Driveline,
+    ExcitationOrder,
+    LossFactorDamping,
+    ProportionalDamping,
+    RelativeDamping,
+    Resistance,
+    Shutdown,
+)
+
+
+def build_case(
+    section: CaseSection, file: str, sha256: str, provenance: tuple[SourcedValue, ...]
+) -> Case:
+    """Return the case a file describes; its relations must have been checked."""
+    coupling_types = tuple(_coupling_type(entry) for entry in section.coupling_types)
+    present_type = section.driveline.coupling.type
+    damping_law = next(
+        entry.damping_law for entry in coupling_types if entry.name == present_type
+    )
+    joint = _joint(section.driveline.connection)
+    first, second = (
+        Bearing(**bearing.model_dump()) for bearing in section.bearings
+    )
+    lubrication = section.lubrication
+    return Case(
+        name=section.name,
+        description=section.description,
+        file=file,
+        sha256=sha256,
+        reading=section.reading.value,
+        driveline=_driveline(section.driveline, damping_law, joint),
+        joint=joint,
+        present_coupling_type=present_type,
+        present_connection=section.driveline.connection.kind.value,
+        shutdown=Shutdown(**section.shutdown.model_dump()),
+        shaft=ShaftGeometry(**section.shaft.model_dump()),
+        bearings=(first, second),
+        lubrication=Lubrication(
+            viscosity=lubrication.viscosity.value,
+            cleanliness=lubrication.cleanliness.value,
+        ),
+        reliability=lubrication.reliability.value,
+        duty=_duty(section.duty),
+        coupling_types=coupling_types,
+        connections=_connections(section.design_space.connections),
+        provenance=provenance,
+    )
+
+
+def _driveline(
+    section: DrivelineSection, damping_law: DampingLaw, joint: Joint
+) -> Driveline:
+    return Driveline(
+        engine_inertia=section.engine_inertia.value,
+        coupling_inertia=section.coupling_inertia.value,
+        generator_inertia=section.generator_inertia.value,
+        coupling=Coupling(
+            torsional_stiffness=section.coupling.torsional_stiffness.value,
+            damping_law=damping_law,
+        ),
+        connection=_present_connection(section.connection, joint),
+        excitation=tuple(
+            ExcitationOrder(**harmonic.model_dump()) for harmonic in section.excitation
+        ),
+        engine_resistance=Resistance(**section.engine_resistance.model_dump()),
+        generator_resistance=Resistance(**section.generator_resistance.model_dump()),
+    )
+
+
+def _present_connection(section: PresentConnection, joint: Joint) -> Connection:
+    gap = section.gap.value if section.gap else 0.0
+    return joint.connect(section.kind.value, gap)
+
+
+def _joint(section: PresentConnection) -> Joint:
+    return Joint(**section.model_dump(exclude={"kind", "gap"}))
+
+
+def _duty(section: DutySection) -> Duty:
+    speeds = section.working_speed
+    return Duty(
+        working_speed=(speeds.lowest.value, speeds.highest.value),
+        rated_torque=section.rated_torque.value,
+        peak_torque=section.peak_torque.value,
+        service_factor=section.service_factor.value,
+    )
+
+
+def _coupling_type(section: CouplingTypeSection) -> CouplingType:
+    stiffness = section.stiffness
+    return CouplingType(
+        name=section.name,
+        description=section.description,
+        plan=section.plan,
+        nominal_torque=section.nominal_torque.value,
+        maximum_torque=section.maximum_torque.value,
+        maximum_speed=section.maximum_speed.value,
+        stiffness_range=(stiffness.lowest.value, stiffness.highest.value),
+        damping_law=_damping_law(section.damping),
+        connections=section.connections,
+    )
+
+
+def _damping_law(section: Proportional | LossFactor | Relative) -> DampingLaw:
+    values = section.model_dump(exclude={"law"})
+    match section:
+        case Proportional():
+            return ProportionalDamping(**values)
+        case LossFactor():
+            return LossFactorDamping(**values)
+        case Relative():
+            return RelativeDamping(**values)
+
+
+def _connections(section: ConnectionChoices) -> tuple[ConnectionOption, ...]:
+    options = [
+        ConnectionOption(kind, gaps.minimum_gap.value, gaps.maximum_gap.value)
+        for kind, gaps in (
+            (ConnectionKind.KEY, section.key),
+            (ConnectionKind.SPLINE, section.spline),
+        )
+        if gaps
+    ]
+    if section.tight_fit is not None:
+        options.append(ConnectionOption(ConnectionKind.TIGHT_FIT, 0.0, 0.0))
+    return tuple(options)

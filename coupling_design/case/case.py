@@ -1,0 +1,187 @@
+"""A design case: what a case file says, as plain SI values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
+from coupling_design.driveline.parameters import (
+    Connection,
+    DampingLaw,
+    Driveline,
+    KeyedConnection,
+    Shutdown,
+    TightFit,
+)
+from coupling_design.errors import CaseError
+
+
+class LoadLimitReading(StrEnum):
+    """What the bearing's load limit is compared with.
+
+    `transmission_force` is the paper's reading, the force at the key;
+    `combined_load` the strict one, the load at the bearing.
+    """
+
+    TRANSMISSION_FORCE = "transmission_force"
+    COMBINED_LOAD = "combined_load"
+
+
+class Plan(StrEnum):
+    """Soft coupling, or one stiff enough to lie above every excitation."""
+
+    ELASTIC = "elastic"
+    HIGH_STIFFNESS = "high_stiffness"
+
+
+class ConnectionKind(StrEnum):
+    """How the hub sits on the generator shaft."""
+
+    KEY = "key"
+    SPLINE = "spline"
+    TIGHT_FIT = "tight_fit"
+
+
+class Source(StrEnum):
+    """Where a value comes from."""
+
+    PAPER = "paper"
+    STANDARD = "standard"
+    DERIVED = "derived"
+    ASSUMED = "assumed"
+    FITTED = "fitted"
+    CATALOGUE = "catalogue"
+    MEASURED = "measured"
+    INVENTED = "invented"
+
+
+@dataclass(frozen=True)
+class Duty:
+    """What the set works at.
+
+    `working_speed` is the lowest and the highest [rad/s], torques are in N m.
+    """
+
+    working_speed: tuple[float, float]
+    rated_torque: float
+    peak_torque: float
+    service_factor: float
+
+
+@dataclass(frozen=True)
+class CouplingType:
+    """A family of couplings to choose from.
+
+    Attributes
+    ----------
+    name, description : as the report calls it
+    plan : the plan of the design flow it belongs to
+    nominal_torque, maximum_torque : T_KN, T_Kmax [N m]
+    maximum_speed : [rad/s]
+    stiffness_range : lowest and highest dynamic stiffness of the family [N m/rad]
+    damping_law : how its damping follows its stiffness
+    connections : kinds of hub it is made with
+    """
+
+    name: str
+    description: str
+    plan: Plan
+    nominal_torque: float
+    maximum_torque: float
+    maximum_speed: float
+    stiffness_range: tuple[float, float]
+    damping_law: DampingLaw
+    connections: tuple[ConnectionKind, ...]
+
+
+@dataclass(frozen=True)
+class ConnectionOption:
+    """A kind of connection the design may take, and its total gap [m]."""
+
+    kind: ConnectionKind
+    minimum_gap: float
+    maximum_gap: float
+
+
+@dataclass(frozen=True)
+class Joint:
+    """The seat of the hub on the generator shaft, whatever connection it gets.
+
+    `radius` [m] holds for all; contact stiffness [N m/rad], oil damping [N m s/rad]
+    and smoothing [1/m] are None where no key or spline is considered.
+    """
+
+    radius: float
+    contact_stiffness: float | None
+    oil_damping: float | None
+    smoothing: float | None
+
+    def connect(self, kind: ConnectionKind, gap: float) -> Connection:
+        """Return the connection of that kind, with a gap [m] where it has one."""
+        if kind is ConnectionKind.TIGHT_FIT:
+            return TightFit(radius=self.radius)
+        contact = (self.contact_stiffness, self.oil_damping, self.smoothing)
+        if None in contact:
+            raise CaseError(
+                [
+                    f"driveline.connection: a {kind} needs contact_stiffness, "
+                    "oil_damping and smoothing, which this case does not give"
+                ]
+            )
+        return KeyedConnection(
+            radius=self.radius,
+            gap=gap,
+            contact_stiffness=self.contact_stiffness,
+            oil_damping=self.oil_damping,
+            smoothing=self.smoothing,
+        )
+
+
+@dataclass(frozen=True)
+class SourcedValue:
+    """One value of the file: its path, as written, in SI, and where it comes from.
+
+    `value` is a float in `unit`, or the word chosen; `source` is None if not stated.
+    """
+
+    path: str
+    text: str
+    value: float | str
+    unit: str
+    source: Source | None
+    note: str
+
+
+@dataclass(frozen=True)
+class Case:
+    """A machine, its run-down and what may be chosen for it.
+
+    `driveline` holds the present coupling and connection; `present_coupling_type`
+    and `present_connection` name what they are among the choices.
+    """
+
+    name: str
+    description: str
+    file: str
+    sha256: str
+    reading: LoadLimitReading
+    driveline: Driveline
+    joint: Joint
+    present_coupling_type: str
+    present_connection: ConnectionKind
+    shutdown: Shutdown
+    shaft: ShaftGeometry
+    bearings: tuple[Bearing, Bearing]
+    lubrication: Lubrication
+    reliability: float
+    duty: Duty
+    coupling_types: tuple[CouplingType, ...]
+    connections: tuple[ConnectionOption, ...]
+    provenance: tuple[SourcedValue, ...]
+
+    @property
+    def assumptions(self) -> tuple[SourcedValue, ...]:
+        """The values that rest on nothing but judgement: assumed, fitted, invented."""
+        judged = (Source.ASSUMED, Source.FITTED, Source.INVENTED)
+        return tuple(value for value in self.provenance if value.source in judged)

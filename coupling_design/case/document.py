@@ -1,0 +1,111 @@
+"""YAML text to data, with the line of every key, value and duplicate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+
+from coupling_design.case.problem import Path, Problem
+from coupling_design.errors import CaseError
+
+
+@dataclass(frozen=True)
+class Document:
+    """A case file as read: plain data, where each part stands, and its text.
+
+    `lines` has the line of each path's key (of a list's entry: its first line),
+    `texts` each scalar as written.
+    """
+
+    file: str
+    data: Any
+    lines: dict[Path, int] = field(default_factory=dict)
+    texts: dict[Path, str] = field(default_factory=dict)
+    problems: tuple[Problem, ...] = ()
+
+    def line(self, path: Path) -> int:
+        """Return the line of a path, or of the nearest thing that holds it."""
+        while path and path not in self.lines:
+            path = path[:-1]
+        return self.lines.get(path, 1)
+
+
+def parse_text(text: str, file: str) -> Document:
+    """Return the document a YAML text holds; raise CaseError if it is not YAML."""
+    try:
+        _refuse_aliases(text, file)
+        root = yaml.compose(text, Loader=yaml.SafeLoader)
+        data = yaml.safe_load(text)
+    except yaml.MarkedYAMLError as error:
+        raise CaseError([_not_yaml(error, file)]) from None
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        raise CaseError(
+            [f"{file}:{line}: not YAML: the character #x{error.character:04x} "
+             "is not allowed; save the file as plain text"]
+        ) from None  # fmt: skip
+    except ValueError as error:
+        raise CaseError([f"{file}:1: not YAML that can be read: {error}"]) from None
+    except RecursionError:
+        raise CaseError(
+            [f"{file}:1: lists or mappings are nested too deeply for a case file"]
+        ) from None
+    if root is None:
+        raise CaseError(
+            [f"{file}:1: the file is empty; copy cases/16v280.yaml and change it"]
+        )
+    document = Document(file, data)
+    document.lines[()] = root.start_mark.line + 1
+    problems = tuple(_walk(root, (), document))
+    return Document(file, data, document.lines, document.texts, problems)
+
+
+def _refuse_aliases(text: str, file: str) -> None:
+    for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        if isinstance(event, yaml.AliasEvent):
+            raise CaseError(
+                [f"{file}:{event.start_mark.line + 1}: found the alias "
+                 f"'*{event.anchor}'; aliases are not used in a case file, "
+                 "write the values out"]
+            )  # fmt: skip
+
+
+def _not_yaml(error: yaml.MarkedYAMLError, file: str) -> str:
+    mark = error.problem_mark or error.context_mark
+    place = f"{file}:{mark.line + 1}" if mark else f"{file}:1"
+    column = f" at column {mark.column + 1}" if mark else ""
+    said = ", ".join(part for part in (error.context, error.problem) if part)
+    return f"{place}: not YAML{column}: {said}"
+
+
+def _walk(node: yaml.Node, path: Path, document: Document) -> Iterator[Problem]:
+    if isinstance(node, yaml.ScalarNode):
+        document.texts[path] = node.value
+    elif isinstance(node, yaml.SequenceNode):
+        for index, entry in enumerate(node.value):
+            document.lines[(*path, index)] = entry.start_mark.line + 1
+            yield from _walk(entry, (*path, index), document)
+    elif isinstance(node, yaml.MappingNode):
+        yield from _walk_mapping(node, path, document)
+
+
+def _walk_mapping(
+    node: yaml.MappingNode, path: Path, document: Document
+) -> Iterator[Problem]:
+    seen: dict[str, int] = {}
+    for key, value in node.value:
+        name, line = str(key.value), key.start_mark.line + 1
+        inner = (*path, name)
+        if name in seen:
+            yield Problem(
+                inner,
+                f"key '{name}' is given twice, first in line {seen[name]}; "
+                "delete one of them",
+                line,
+            )
+        seen.setdefault(name, line)
+        document.lines[inner] = line
+        yield from _walk(value, inner, document)

@@ -1,0 +1,207 @@
+"""From pydantic's errors to sentences an engineer can act on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any, Literal, get_args, get_origin
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from coupling_design.case.document import Document
+from coupling_design.case.problem import Path, Problem, suggestion
+from coupling_design.case.quantity import Kind
+from coupling_design.case.stated import Stated
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where an error is: path in the data, the section there, and what is expected."""
+
+    path: Path
+    section: type[BaseModel] | None
+    expected: Any
+
+
+def problems_of(
+    error: ValidationError, model: type[BaseModel], document: Document
+) -> Iterator[Problem]:
+    """Yield one problem for each thing pydantic found."""
+    details = error.errors(include_url=False)
+    misspelt = set(_misspelt(details, model))
+    for detail in details:
+        place = _place(model, detail["loc"], document.data)
+        if detail["type"] == "missing" and place.path in misspelt:
+            continue
+        yield _problem(detail, place, document)
+
+
+def _misspelt(
+    details: list[ErrorDetails], model: type[BaseModel]
+) -> Iterator[Path]:
+    """Yield the paths of keys that are missing because they are misspelt."""
+    for detail in details:
+        if detail["type"] == "extra_forbidden":
+            place = _place(model, detail["loc"], None)
+            near = suggestion(str(place.path[-1]), _keys(place.section))
+            for key in _keys(place.section):
+                if f"'{key}'" in near:
+                    yield (*place.path[:-1], key)
+
+
+def _problem(detail: ErrorDetails, place: _Place, document: Document) -> Problem:
+    path, key = place.path, place.path[-1] if place.path else ""
+    match detail["type"]:
+        case "missing":
+            return Problem(path[:-1], _missing(str(key), place))
+        case "union_tag_not_found":
+            return Problem(path, f"missing key 'law'; allowed: {_laws(place)}")
+        case "union_tag_invalid":
+            path = (*path, "law")
+            sentence = _not_allowed(_found(path, document), _laws(place))
+            return Problem(path, sentence)
+        case "extra_forbidden":
+            return Problem(path[:-1], _unknown(str(key), place), document.line(path))
+        case "quantity":
+            found = _found(path, document)
+            return Problem(path, f"found {found}, {detail['ctx']['sentence']}")
+    return Problem(path, _wrong_form(detail, place, _found(path, document)))
+
+
+def _missing(key: str, place: _Place) -> str:
+    return f"missing key '{key}'; write {_expectation(place.expected)}"
+
+
+def _unknown(key: str, place: _Place) -> str:
+    allowed = _keys(place.section)
+    listed = ", ".join(allowed) if allowed else "nothing, write {}"
+    return f"unknown key '{key}'; {suggestion(key, allowed)}allowed: {listed}"
+
+
+def _not_allowed(found: str, allowed: str) -> str:
+    near = suggestion(found.strip("'"), allowed.split(", "))
+    return f"found {found}; {near}allowed: {allowed}"
+
+
+def _wrong_form(detail: ErrorDetails, place: _Place, found: str) -> str:
+    context = detail.get("ctx", {})
+    match detail["type"]:
+        case "enum" | "literal_error":
+            return _not_allowed(found, _words(place.expected))
+        case "too_short" | "too_long" if "max_length" in context:
+            return (
+                f"found {context['actual_length']} entries, "
+                f"allowed are exactly {context['max_length']}"
+            )
+        case "too_short":
+            return "found an empty list; write at least one entry"
+        case "too_long":
+            return f"found too many entries, allowed {context['max_length']}"
+        case "string_too_short":
+            return "found an empty text; write a name"
+    return f"found {found}, expected {_expectation(place.expected)}"
+
+
+def _place(model: type[BaseModel], location: Path, data: Any) -> _Place:
+    """Return where an error's location is, without what only pydantic knows."""
+    path: Path = ()
+    section: type[BaseModel] | None = None
+    expected: Any = model
+    for element in location:
+        choices = _models(expected)
+        if len(choices) > 1:  # a damping law, chosen by its name
+            expected = next((m for m in choices if element in _law(m)), None)
+        elif choices:
+            section = choices[0]
+            inner = section.model_fields.get(str(element))
+            if not (issubclass(section, Stated) and _is_bare(data, path)):
+                path = (*path, element)
+            expected = inner and (next(iter(inner.metadata), None) or inner.annotation)
+            if inner and not isinstance(expected, Kind):
+                expected = inner.annotation
+        else:
+            path = (*path, element)
+            expected = next(iter(get_args(expected)), None)
+    return _Place(path, section, expected)
+
+
+def _is_bare(data: Any, path: Path) -> bool:
+    """Return whether a value stands without its source: not as a mapping."""
+    for element in path:
+        try:
+            data = data[element]
+        except (LookupError, TypeError):
+            return True
+    return not isinstance(data, dict)
+
+
+def _models(expected: Any) -> list[type[BaseModel]]:
+    if isinstance(expected, type) and issubclass(expected, BaseModel):
+        return [expected]
+    if get_origin(expected) is tuple:
+        return []
+    return [
+        argument
+        for argument in get_args(expected)
+        if isinstance(argument, type) and issubclass(argument, BaseModel)
+    ]
+
+
+def _law(model: type[BaseModel]) -> tuple[str, ...]:
+    field = model.model_fields.get("law")
+    return get_args(field.annotation) if field else ()
+
+
+def _laws(place: _Place) -> str:
+    return ", ".join(law for m in _models(place.expected) for law in _law(m))
+
+
+def _keys(section: type[BaseModel] | None) -> list[str]:
+    return list(section.model_fields) if section else []
+
+
+def _words(expected: Any) -> str:
+    if get_origin(expected) is Literal:
+        return ", ".join(get_args(expected))
+    for choice in (expected, *get_args(expected)):
+        if isinstance(choice, type) and issubclass(choice, StrEnum):
+            return ", ".join(choice)
+    return "another word"
+
+
+def _expectation(expected: Any) -> str:
+    """Return what a field wants, in words."""
+    if isinstance(expected, Kind):
+        return f"{expected.name}, such as {expected.example}"
+    models = _models(expected)
+    if len(models) == 1 and issubclass(models[0], Stated):
+        field = models[0].model_fields["value"]
+        kinds = [item for item in field.metadata if isinstance(item, Kind)]
+        return _expectation(kinds[0] if kinds else field.annotation)
+    if len(models) == 1:
+        keys = ", ".join(_keys(models[0]))
+        return f"a mapping with the keys {keys}" if keys else "an empty mapping, {}"
+    if models:
+        return "a mapping with the key law and those of that law"
+    if get_origin(expected) is tuple:
+        return "a list, each entry with a leading '- '"
+    if expected is str:
+        return "a text"
+    return f"one of {_words(expected)}"
+
+
+def _found(path: Path, document: Document) -> str:
+    """Return what stands at a path, as written."""
+    if path in document.texts:
+        return f"'{document.texts[path]}'"
+    value: Any = document.data
+    for element in path:
+        try:
+            value = value[element]
+        except (LookupError, TypeError):
+            return "nothing"
+    if isinstance(value, dict):
+        return "a mapping"
+    return "a list" if isinstance(value, list) else f"'{value}'"

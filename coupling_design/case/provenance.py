@@ -1,0 +1,50 @@
+"""Where every value of a case file comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import BaseModel
+
+from coupling_design.case.case import SourcedValue
+from coupling_design.case.document import Document
+from coupling_design.case.problem import Path, dotted
+from coupling_design.case.quantity import Kind
+from coupling_design.case.stated import Stated
+
+
+def list_provenance(section: BaseModel, document: Document) -> tuple[SourcedValue, ...]:
+    """Return every stated value of a validated section, in the file's order."""
+    return tuple(
+        SourcedValue(
+            path=dotted(path),
+            text=_text(path, document),
+            value=stated.value,
+            unit=_unit(stated),
+            source=stated.source,
+            note=stated.note,
+        )
+        for path, stated in _stated(section, ())
+    )
+
+
+def _stated(part: Any, path: Path) -> Iterator[tuple[Path, Stated[Any]]]:
+    if isinstance(part, Stated):
+        yield path, part
+    elif isinstance(part, BaseModel):
+        for name in type(part).model_fields:
+            yield from _stated(getattr(part, name), (*path, name))
+    elif isinstance(part, tuple):
+        for index, entry in enumerate(part):
+            yield from _stated(entry, (*path, index))
+
+
+def _text(path: Path, document: Document) -> str:
+    texts = document.texts
+    return texts.get((*path, "value"), texts.get(path, ""))
+
+
+def _unit(stated: Stated[Any]) -> str:
+    metadata = type(stated).model_fields["value"].metadata
+    return next((item.unit for item in metadata if isinstance(item, Kind)), "")
