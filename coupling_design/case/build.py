@@ -47,9 +47,7 @@ def build_case(
         entry.damping_law for entry in coupling_types if entry.name == present_type
     )
     joint = _joint(section.driveline.connection)
-    first, second = (
-        Bearing(**bearing.model_dump()) for bearing in section.bearings
-    )
+    first, second = (Bearing(**bearing.model_dump()) for bearing in section.bearings)
     lubrication = section.lubrication
     return Case(
         name=section.name,

@@ -36,7 +36,8 @@ class Document:
 def parse_text(text: str, file: str) -> Document:
     """Return the document a YAML text holds; raise CaseError if it is not YAML."""
     try:
-        _refuse_aliases(text, file)
+        if "&" in text:
+            _refuse_aliases(text, file)
         root = yaml.compose(text, Loader=yaml.SafeLoader)
         data = yaml.safe_load(text)
     except yaml.MarkedYAMLError as error:
@@ -58,7 +59,7 @@ def parse_text(text: str, file: str) -> Document:
             [f"{file}:1: the file is empty; copy cases/16v280.yaml and change it"]
         )
     document = Document(file, data)
-    document.lines[()] = root.start_mark.line + 1
+    document.lines[()] = _line(root.start_mark)
     problems = tuple(_walk(root, (), document))
     return Document(file, data, document.lines, document.texts, problems)
 
@@ -67,7 +68,7 @@ def _refuse_aliases(text: str, file: str) -> None:
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
         if isinstance(event, yaml.AliasEvent):
             raise CaseError(
-                [f"{file}:{event.start_mark.line + 1}: found the alias "
+                [f"{file}:{_line(event.start_mark)}: found the alias "
                  f"'*{event.anchor}'; aliases are not used in a case file, "
                  "write the values out"]
             )  # fmt: skip
@@ -75,10 +76,13 @@ def _refuse_aliases(text: str, file: str) -> None:
 
 def _not_yaml(error: yaml.MarkedYAMLError, file: str) -> str:
     mark = error.problem_mark or error.context_mark
-    place = f"{file}:{mark.line + 1}" if mark else f"{file}:1"
     column = f" at column {mark.column + 1}" if mark else ""
     said = ", ".join(part for part in (error.context, error.problem) if part)
-    return f"{place}: not YAML{column}: {said}"
+    return f"{file}:{_line(mark)}: not YAML{column}: {said}"
+
+
+def _line(mark: Any) -> int:
+    return mark.line + 1 if mark else 1
 
 
 def _walk(node: yaml.Node, path: Path, document: Document) -> Iterator[Problem]:
@@ -86,7 +90,7 @@ def _walk(node: yaml.Node, path: Path, document: Document) -> Iterator[Problem]:
         document.texts[path] = node.value
     elif isinstance(node, yaml.SequenceNode):
         for index, entry in enumerate(node.value):
-            document.lines[(*path, index)] = entry.start_mark.line + 1
+            document.lines[(*path, index)] = _line(entry.start_mark)
             yield from _walk(entry, (*path, index), document)
     elif isinstance(node, yaml.MappingNode):
         yield from _walk_mapping(node, path, document)
@@ -97,7 +101,7 @@ def _walk_mapping(
 ) -> Iterator[Problem]:
     seen: dict[str, int] = {}
     for key, value in node.value:
-        name, line = str(key.value), key.start_mark.line + 1
+        name, line = str(key.value), _line(key.start_mark)
         inner = (*path, name)
         if name in seen:
             yield Problem(

@@ -35,9 +35,7 @@ def load_case(path: str | os.PathLike[str]) -> Case:
     document = parse_text(_decode(content, file), file)
     section = validate(document)
     provenance = list_provenance(section, document)
-    return build_case(
-        section, file, hashlib.sha256(content).hexdigest(), provenance
-    )
+    return build_case(section, file, hashlib.sha256(content).hexdigest(), provenance)
 
 
 def validate(document: Document) -> CaseSection:
@@ -48,17 +46,15 @@ def validate(document: Document) -> CaseSection:
             [f"{document.file}:{document.line(())}: the file holds no mapping; "
              f"expected the keys {keys}"]
         )  # fmt: skip
-    problems = [*document.problems, *_empty_values(document.data, ())]
-    empty = {problem.path for problem in problems}
+    problems = [*document.problems]
     section: CaseSection | None = None
     try:
         section = CaseSection.model_validate(document.data)
     except ValidationError as error:
-        problems += [
-            problem
-            for problem in problems_of(error, CaseSection, document)
-            if problem.path not in empty
-        ]
+        problems += problems_of(error, CaseSection, document)
+    told = {problem.path for problem in problems}
+    empty = _empty_values(document.data, ())
+    problems += [problem for problem in empty if problem.path not in told]
     problems += check_relations(document)
     if problems or section is None:
         raise CaseError(_sentences(problems, document))
@@ -71,9 +67,7 @@ def _read(path: Path, file: str) -> bytes:
     except FileNotFoundError:
         raise CaseError([f"{file}: there is no such file; check the path"]) from None
     except IsADirectoryError:
-        raise CaseError(
-            [f"{file}: is a directory; name the case file in it"]
-        ) from None
+        raise CaseError([f"{file}: is a directory; name the case file in it"]) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise CaseError([f"{file}: cannot be read: {reason}"]) from None
@@ -93,9 +87,7 @@ def _decode(content: bytes, file: str) -> str:
 
 def _empty_values(data: Any, path: DataPath) -> Iterator[Problem]:
     if data is None:
-        yield Problem(
-            path, "nothing is written here; write a value or delete the key"
-        )
+        yield Problem(path, "found nothing; write a value or delete the key")
     elif isinstance(data, dict):
         for key, value in data.items():
             yield from _empty_values(value, (*path, key))

@@ -35,12 +35,12 @@ def problems_of(
         place = _place(model, detail["loc"], document.data)
         if detail["type"] == "missing" and place.path in misspelt:
             continue
+        if detail["type"] == "too_short" and _is_long_enough(detail):
+            continue
         yield _problem(detail, place, document)
 
 
-def _misspelt(
-    details: list[ErrorDetails], model: type[BaseModel]
-) -> Iterator[Path]:
+def _misspelt(details: list[ErrorDetails], model: type[BaseModel]) -> Iterator[Path]:
     """Yield the paths of keys that are missing because they are misspelt."""
     for detail in details:
         if detail["type"] == "extra_forbidden":
@@ -49,6 +49,11 @@ def _misspelt(
             for key in _keys(place.section):
                 if f"'{key}'" in near:
                     yield (*place.path[:-1], key)
+
+
+def _is_long_enough(detail: ErrorDetails) -> bool:
+    """Return whether a list is short only because pydantic left out faulty entries."""
+    return bool(len(detail["input"]) >= detail["ctx"]["min_length"])
 
 
 def _problem(detail: ErrorDetails, place: _Place, document: Document) -> Problem:
@@ -63,7 +68,7 @@ def _problem(detail: ErrorDetails, place: _Place, document: Document) -> Problem
             sentence = _not_allowed(_found(path, document), _laws(place))
             return Problem(path, sentence)
         case "extra_forbidden":
-            return Problem(path[:-1], _unknown(str(key), place), document.line(path))
+            return Problem(path, _unknown(str(key), place))
         case "quantity":
             found = _found(path, document)
             return Problem(path, f"found {found}, {detail['ctx']['sentence']}")
@@ -77,7 +82,9 @@ def _missing(key: str, place: _Place) -> str:
 def _unknown(key: str, place: _Place) -> str:
     allowed = _keys(place.section)
     listed = ", ".join(allowed) if allowed else "nothing, write {}"
-    return f"unknown key '{key}'; {suggestion(key, allowed)}allowed: {listed}"
+    # Inside {...} a comma ends a note that has no quotes; the rest becomes a key.
+    hint = " (put a text that holds a comma in quotes)" if " " in key else ""
+    return f"unknown key '{key}'{hint}; {suggestion(key, allowed)}allowed: {listed}"
 
 
 def _not_allowed(found: str, allowed: str) -> str:
@@ -86,19 +93,11 @@ def _not_allowed(found: str, allowed: str) -> str:
 
 
 def _wrong_form(detail: ErrorDetails, place: _Place, found: str) -> str:
-    context = detail.get("ctx", {})
     match detail["type"]:
         case "enum" | "literal_error":
             return _not_allowed(found, _words(place.expected))
-        case "too_short" | "too_long" if "max_length" in context:
-            return (
-                f"found {context['actual_length']} entries, "
-                f"allowed are exactly {context['max_length']}"
-            )
         case "too_short":
             return "found an empty list; write at least one entry"
-        case "too_long":
-            return f"found too many entries, allowed {context['max_length']}"
         case "string_too_short":
             return "found an empty text; write a name"
     return f"found {found}, expected {_expectation(place.expected)}"
@@ -194,14 +193,16 @@ def _expectation(expected: Any) -> str:
 
 def _found(path: Path, document: Document) -> str:
     """Return what stands at a path, as written."""
-    if path in document.texts:
-        return f"'{document.texts[path]}'"
     value: Any = document.data
     for element in path:
         try:
             value = value[element]
         except (LookupError, TypeError):
             return "nothing"
+    if value is None:
+        return "nothing"
     if isinstance(value, dict):
         return "a mapping"
-    return "a list" if isinstance(value, list) else f"'{value}'"
+    if isinstance(value, list):
+        return "a list"
+    return f"'{document.texts.get(path, value)}'"

@@ -9,73 +9,36 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
-
-from coupling_design.case.case import ConnectionKind
+from coupling_design.bearing.life import RELIABILITY_FACTORS
+from coupling_design.case.choices import GAPPED, check_choices
 from coupling_design.case.document import Document
 from coupling_design.case.kinds import (
     AngularSpeed,
     Gap,
     Number,
     PositiveTorque,
+    Reliability,
     Stiffness,
     Time,
 )
-from coupling_design.case.problem import Path, Problem, suggestion
-from coupling_design.case.stated import Stated
+from coupling_design.case.problem import Path, Problem
+from coupling_design.case.values import Values
 
-_GAPPED = (ConnectionKind.KEY, ConnectionKind.SPLINE)
-_CONNECTION: Path = ("driveline", "connection")
-_SPACE: Path = ("design_space", "connections")
 _MOST_STEPS = 10_000_000
-
-
-class _Values:
-    """Reads single values of a document; None where one is absent or wrong."""
-
-    def __init__(self, document: Document) -> None:
-        self._document = document
-
-    def raw(self, *path: str | int) -> Any:
-        value = self._document.data
-        for element in path:
-            try:
-                value = value[element]
-            except (LookupError, TypeError):
-                return None
-        return value
-
-    def read(self, kind: Any, *path: str | int) -> Any:
-        try:
-            return TypeAdapter(Stated[kind]).validate_python(self.raw(*path)).value
-        except ValidationError:
-            return None
-
-    def text(self, *path: str | int) -> str:
-        texts = self._document.texts
-        return texts.get((*path, "value"), texts.get(path, ""))
-
-    def count(self, *path: str | int) -> int:
-        entries = self.raw(*path)
-        return len(entries) if isinstance(entries, list) else 0
 
 
 def check_relations(document: Document) -> Iterator[Problem]:
     """Yield every broken relation whose values can be read."""
-    values = _Values(document)
-    for rule in (
-        _ordered_pairs,
-        _unique_entries,
-        _shutdown,
-        _present_coupling,
-        _present_connection,
-        _contact_parameters,
-        _offered_connections,
-    ):
-        yield from rule(values)
+    values = Values(document)
+    yield from _ordered_pairs(values)
+    yield from _unique_entries(values)
+    yield from _two_bearings(values)
+    yield from _shutdown(values)
+    yield from _reliability(values)
+    yield from check_choices(values)
 
 
-def _ordered_pairs(values: _Values) -> Iterator[Problem]:
+def _ordered_pairs(values: Values) -> Iterator[Problem]:
     pairs: list[tuple[Any, Path, Path]] = [
         (
             AngularSpeed,
@@ -84,8 +47,8 @@ def _ordered_pairs(values: _Values) -> Iterator[Problem]:
         ),
         (PositiveTorque, ("duty", "rated_torque"), ("duty", "peak_torque")),
     ]
-    for kind in _GAPPED:
-        space = (*_SPACE, kind)
+    for kind in GAPPED:
+        space = ("design_space", "connections", kind)
         pairs.append((Gap, (*space, "minimum_gap"), (*space, "maximum_gap")))
     for index in range(values.count("coupling_types")):
         entry: Path = ("coupling_types", index)
@@ -103,13 +66,13 @@ def _ordered_pairs(values: _Values) -> Iterator[Problem]:
             )
 
 
-def _unique_entries(values: _Values) -> Iterator[Problem]:
+def _unique_entries(values: Values) -> Iterator[Problem]:
     yield from _repeated(values, ("driveline", "excitation"), "order", Number)
     yield from _repeated(values, ("coupling_types",), "name", None)
     yield from _repeated(values, ("bearings",), "name", None)
 
 
-def _repeated(values: _Values, entries: Path, key: str, kind: Any) -> Iterator[Problem]:
+def _repeated(values: Values, entries: Path, key: str, kind: Any) -> Iterator[Problem]:
     seen: set[Any] = set()
     for index in range(values.count(*entries)):
         path = (*entries, index, key)
@@ -124,7 +87,17 @@ def _repeated(values: _Values, entries: Path, key: str, kind: Any) -> Iterator[P
             seen.add(value)
 
 
-def _shutdown(values: _Values) -> Iterator[Problem]:
+def _two_bearings(values: Values) -> Iterator[Problem]:
+    count = values.count("bearings")
+    if isinstance(values.raw("bearings"), list) and count != 2:
+        yield Problem(
+            ("bearings",),
+            f"found a list of {count}, allowed are exactly 2: first the one next to "
+            "the coupling, then the other",
+        )
+
+
+def _shutdown(values: Values) -> Iterator[Problem]:
     path: Path = ("shutdown", "time_step")
     step = values.read(Time, *path)
     duration = values.read(Time, "shutdown", "duration")
@@ -148,120 +121,14 @@ def _shutdown(values: _Values) -> Iterator[Problem]:
         )
 
 
-def _present_coupling(values: _Values) -> Iterator[Problem]:
-    path: Path = ("driveline", "coupling", "type")
-    present = values.text(*path)
-    names = [
-        values.text("coupling_types", index, "name")
-        for index in range(values.count("coupling_types"))
-    ]
-    if not present or not names:
+def _reliability(values: Values) -> Iterator[Problem]:
+    path: Path = ("lubrication", "reliability")
+    value = values.read(Reliability, *path)
+    if value is None or any(abs(value - row) < 1e-9 for row in RELIABILITY_FACTORS):
         return
-    if present not in names:
-        yield Problem(
-            path,
-            f"found '{present}', which is not among the coupling_types; "
-            f"{suggestion(present, names)}allowed: {', '.join(names)}",
-        )
-        return
-    entry = ("coupling_types", names.index(present))
-    yield from _outside(
-        values,
-        Stiffness,
-        ("driveline", "coupling", "torsional_stiffness"),
-        ((*entry, "stiffness", "lowest"), (*entry, "stiffness", "highest")),
-        f"the range of coupling type '{present}'",
-    )
-    yield from _kind_of_type(values, entry, present)
-
-
-def _kind_of_type(values: _Values, entry: Path, present: str) -> Iterator[Problem]:
-    kind = values.read(ConnectionKind, *_CONNECTION, "kind")
-    made_with = values.raw(*entry, "connections")
-    if kind and isinstance(made_with, list) and kind not in made_with:
-        yield Problem(
-            (*_CONNECTION, "kind"),
-            f"found '{kind}', but coupling type '{present}' is made with: "
-            f"{', '.join(map(str, made_with))}; add it there or correct it here",
-        )
-
-
-def _outside(
-    values: _Values, kind: Any, path: Path, limits: tuple[Path, Path], range_name: str
-) -> Iterator[Problem]:
-    value = values.read(kind, *path)
-    lower, upper = (values.read(kind, *limit) for limit in limits)
-    if None in (value, lower, upper) or lower <= value <= upper or lower > upper:
-        return
-    low, high = (values.text(*limit) for limit in limits)
+    rows = ", ".join(f"{100 * row:g}" for row in RELIABILITY_FACTORS)
     yield Problem(
         path,
-        f"found '{values.text(*path)}', allowed {low} to {high}, {range_name}",
+        f"found '{values.text(*path)}', between the rows of ISO 281; "
+        f"allowed, in %: {rows}",
     )
-
-
-def _present_connection(values: _Values) -> Iterator[Problem]:
-    kind = values.read(ConnectionKind, *_CONNECTION, "kind")
-    path = (*_CONNECTION, "gap")
-    if kind is None:
-        return
-    if kind is ConnectionKind.TIGHT_FIT:
-        if values.read(Gap, *path):
-            yield Problem(
-                path,
-                f"found '{values.text(*path)}', but a tight_fit has no gap; "
-                "delete the key or change the kind",
-            )
-        return
-    if values.raw(*path) is None:
-        yield Problem(
-            _CONNECTION, f"missing key 'gap'; a {kind} has one, such as 0.28 mm"
-        )
-    limits = ((*_SPACE, kind, "minimum_gap"), (*_SPACE, kind, "maximum_gap"))
-    yield from _outside(
-        values, Gap, path, limits, f"the range of a {kind} in design_space"
-    )
-
-
-def _contact_parameters(values: _Values) -> Iterator[Problem]:
-    kind = values.read(ConnectionKind, *_CONNECTION, "kind")
-    offered = [option for option in _GAPPED if values.raw(*_SPACE, option) is not None]
-    if kind not in _GAPPED and not offered:
-        return
-    if not isinstance(values.raw(*_CONNECTION), dict):
-        return
-    reason = (
-        f"the present {kind} needs it"
-        if kind in _GAPPED
-        else f"the {offered[0]} in design_space needs it"
-    )
-    for key, example in (
-        ("contact_stiffness", "1e8 N*m/rad"),
-        ("oil_damping", "100 N*m*s/rad"),
-        ("smoothing", "1000 1/mm"),
-    ):
-        if values.raw(*_CONNECTION, key) is None:
-            yield Problem(
-                _CONNECTION, f"missing key '{key}'; {reason}, such as {example}"
-            )
-
-
-def _offered_connections(values: _Values) -> Iterator[Problem]:
-    space = values.raw(*_SPACE)
-    if not isinstance(space, dict):
-        return
-    offered = [kind for kind in ConnectionKind if kind in space]
-    if not offered:
-        words = ", ".join(ConnectionKind)
-        yield Problem(_SPACE, f"offers no connection; write at least one of {words}")
-        return
-    for index in range(values.count("coupling_types")):
-        entry = ("coupling_types", index, "connections")
-        for place in range(values.count(*entry)):
-            kind = values.read(ConnectionKind, *entry, place)
-            if kind and kind not in offered:
-                yield Problem(
-                    (*entry, place),
-                    f"found '{kind}', which design_space.connections does not offer; "
-                    f"allowed: {', '.join(offered)}",
-                )

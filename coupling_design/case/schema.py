@@ -177,9 +177,7 @@ class CouplingTypeSection(Section):
     maximum_torque: Stated[PositiveTorque]
     maximum_speed: Stated[AngularSpeed]
     stiffness: StiffnessRange
-    damping: Annotated[
-        Proportional | LossFactor | Relative, Field(discriminator="law")
-    ]
+    damping: Annotated[Proportional | LossFactor | Relative, Field(discriminator="law")]
     connections: Annotated[tuple[ConnectionKind, ...], Field(min_length=1)]
 
 
@@ -217,7 +215,7 @@ class CaseSection(Section):
     driveline: DrivelineSection
     shutdown: ShutdownSection
     shaft: ShaftSection
-    bearings: Annotated[tuple[BearingSection, ...], Field(min_length=2, max_length=2)]
+    bearings: tuple[BearingSection, ...]
     lubrication: LubricationSection
     duty: DutySection
     coupling_types: Annotated[tuple[CouplingTypeSection, ...], Field(min_length=1)]

@@ -1,0 +1,68 @@
+"""Single values of a document, for rules that hold between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from coupling_design.case.document import Document
+from coupling_design.case.problem import Path, Problem
+from coupling_design.case.stated import Stated
+
+
+class Values:
+    """Reads single values of a document; None where one is absent or wrong."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+
+    def raw(self, *path: str | int) -> Any:
+        """Return what stands at a path, unchecked."""
+        value = self._document.data
+        for element in path:
+            try:
+                value = value[element]
+            except (LookupError, TypeError):
+                return None
+        return value
+
+    def read(self, kind: Any, *path: str | int) -> Any:
+        """Return the value at a path if it is of that kind (a type of `kinds`)."""
+        try:
+            return _adapter(kind).validate_python(self.raw(*path)).value
+        except ValidationError:
+            return None
+
+    def text(self, *path: str | int) -> str:
+        """Return a value as written, without its source."""
+        texts = self._document.texts
+        return texts.get((*path, "value"), texts.get(path, ""))
+
+    def count(self, *path: str | int) -> int:
+        """Return how many entries a list has; 0 if it is none."""
+        entries = self.raw(*path)
+        return len(entries) if isinstance(entries, list) else 0
+
+
+def check_between(
+    values: Values, kind: Any, path: Path, limits: tuple[Path, Path], range_name: str
+) -> Iterator[Problem]:
+    """Yield a problem if a value lies outside two others."""
+    value = values.read(kind, *path)
+    lower, upper = (values.read(kind, *limit) for limit in limits)
+    if None in (value, lower, upper) or lower <= value <= upper or lower > upper:
+        return
+    low, high = (values.text(*limit) for limit in limits)
+    yield Problem(
+        path,
+        f"found '{values.text(*path)}', allowed {low} to {high}, {range_name}; "
+        "correct one of them",
+    )
+
+
+@cache
+def _adapter(kind: Any) -> TypeAdapter[Any]:
+    return TypeAdapter(Stated[kind])
