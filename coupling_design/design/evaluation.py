@@ -91,6 +91,10 @@ class Evaluator:
         self._check_finite(totals, torsional_stiffness, key_gap)
         return self.read(torsional_stiffness, key_gap, totals)
 
+    def outline(self, torsional_stiffness: float, key_gap: float = 0.0) -> Performance:
+        """Return a performance that is known without a rollout, its loads left zero."""
+        return self.read(torsional_stiffness, key_gap, np.zeros(len(TOTALS)))
+
     def performances(
         self, points: Sequence[tuple[float, float]]
     ) -> tuple[Performance, ...]:

@@ -35,6 +35,7 @@ class Constraint:
     """A named limit on what a design does.
 
     `quantity` reads the value from a performance of numbers or symbols; `unit` is SI.
+    A limit on the natural frequency alone needs no rollout.
     """
 
     name: str
@@ -43,6 +44,7 @@ class Constraint:
     sense: Sense
     unit: str
     source: str
+    needs_rollout: bool = True
 
     def excess(self, performance: Performance) -> Scalar:
         """Return how far the limit is exceeded, relative to it; negative inside."""
@@ -97,15 +99,14 @@ class DesignSpace:
 class DesignProblem:
     """What is minimised over a design space, subject to which constraints.
 
-    With Objective.PEAK the load constraints named in `load_names` are what is
-    minimised, and do not constrain.
+    The constraints that need a rollout are the loads: with Objective.PEAK they are
+    what is minimised, and do not constrain.
     """
 
     evaluator: Evaluator
     space: DesignSpace
     objective: Objective
     constraints: tuple[Constraint, ...]
-    load_names: frozenset[str] = frozenset()
 
     def value(self, performance: Performance) -> Scalar:
         """Return the scaled objective, smaller is better; numbers or symbols."""
@@ -119,7 +120,7 @@ class DesignProblem:
         """Return the largest load over its limit [-]."""
         ratio: Scalar = 0.0
         for constraint in self.constraints:
-            if constraint.name in self.load_names:
+            if constraint.needs_rollout:
                 ratio = ca.fmax(ratio, 1 + constraint.excess(performance))
         return ratio
 
@@ -128,7 +129,7 @@ class DesignProblem:
         """The constraints that hold in this program."""
         if self.objective is not Objective.PEAK:
             return self.constraints
-        return tuple(c for c in self.constraints if c.name not in self.load_names)
+        return tuple(c for c in self.constraints if not c.needs_rollout)
 
     def is_feasible(self, performance: Performance) -> bool:
         """Return whether numbers meet every constraint of this program."""
@@ -136,8 +137,18 @@ class DesignProblem:
 
     def violation(self, performance: Performance) -> float:
         """Return the largest relative excess of any constraint, 0 if none."""
+        excesses = [float(c.excess(performance)) for c in self.binding]
+        return max([0.0, *excesses])
+
+    def violation_without_rollout(self, performance: Performance) -> float:
+        """Return the largest relative excess of those that need no rollout."""
         return max(
-            (float(c.excess(performance)) for c in self.binding), default=0.0
+            (
+                float(c.excess(performance))
+                for c in self.binding
+                if not c.needs_rollout
+            ),
+            default=0.0,
         )
 
     def functions(self) -> tuple[ca.Function, list[object]]:

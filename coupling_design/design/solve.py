@@ -15,7 +15,7 @@ import numpy as np
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.problem import DesignProblem
 from coupling_design.design.results import Conditioning, Optimum, Performance
-from coupling_design.design.scan import best_first, grid, local_minima
+from coupling_design.design.scan import best_first, local_minima
 
 # Exact first derivatives, approximated second ones: a second derivative of 120 000
 # steps costs more than the iterations it would save.
@@ -39,6 +39,8 @@ _ACTIVE = 1e-4
 # Starts agree when they end this near in objective (a ratio, as it is a logarithm or
 # of order one) and in every scaled variable.
 _SAME_OBJECTIVE, _SAME_POINT = 1e-3, 1e-2
+# The program's limits lie a little inside the scan's: less than this is no win.
+_TIE = 1e-5
 
 
 @dataclass(frozen=True)
@@ -63,8 +65,9 @@ def optimise(
     ends = [_run_ipopt(problem, start) for start in starts]
     rollouts = problem.evaluator.rollouts - before
     best_end = best_first(problem, [end.performance for end in ends])[0]
-    winner = best_first(problem, [best_end, *scanned])[0]
-    by_ipopt = winner is best_end
+    best_scanned = best_first(problem, scanned)[0]
+    by_ipopt = not _clearly_better(problem, best_scanned, best_end)
+    winner = best_end if by_ipopt else best_scanned
     end = next(end for end in ends if end.performance is best_end)
     return Optimum(
         objective=problem.objective.value,
@@ -83,11 +86,17 @@ def optimise(
     )
 
 
-def scan(
-    problem: DesignProblem, n_stiffness: int, n_gaps: int = 1
-) -> tuple[Performance, ...]:
-    """Return the performances on a grid over the problem's design space."""
-    return problem.evaluator.performances(grid(problem.space, n_stiffness, n_gaps))
+def _clearly_better(
+    problem: DesignProblem, challenger: Performance, holder: Performance
+) -> bool:
+    """Return whether the challenger beats the holder by more than a tie."""
+    feasible = problem.is_feasible(challenger), problem.is_feasible(holder)
+    if feasible == (True, True):
+        ahead = float(problem.value(holder)) - float(problem.value(challenger))
+        return ahead > _TIE
+    if feasible == (False, False):
+        return problem.violation(challenger) < problem.violation(holder)
+    return feasible[0]
 
 
 def _choose_starts(

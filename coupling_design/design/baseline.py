@@ -1,0 +1,73 @@
+"""The present coupling in the present connection, as everything else is held to it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from coupling_design.bearing.lubrication import (
+    VISCOSITY_RATIO_RANGE,
+    unclamped_viscosity_ratio,
+)
+from coupling_design.case.case import Case
+from coupling_design.design.candidate import Candidate
+from coupling_design.design.conditioning import conditioning
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.results import Baseline, Performance, Rundown
+from coupling_design.design.search import Workbench
+from coupling_design.design.state import connection_option
+from coupling_design.driveline.history import simulate
+from coupling_design.driveline.modes import largest_stable_step
+from coupling_design.driveline.resonance import largest_swing, rest_time
+
+
+def present_candidate(case: Case) -> Candidate:
+    """Return the candidate that the machine has now."""
+    present = next(
+        t for t in case.coupling_types if t.name == case.present_coupling_type
+    )
+    return Candidate(present, connection_option(case, case.present_connection))
+
+
+def evaluate_baseline(bench: Workbench) -> Baseline:
+    """Return what the present coupling does."""
+    case, candidate = bench.case, present_candidate(bench.case)
+    evaluator = bench.evaluator(candidate)
+    driveline = case.driveline
+    performance = evaluator.performance(
+        driveline.coupling.torsional_stiffness,
+        getattr(driveline.connection, "gap", 0.0),
+    )
+    return Baseline(
+        performance=performance,
+        connection=candidate.connection.kind.value,
+        coupling_type=candidate.coupling_type.name,
+        rundown=rundown(evaluator, performance),
+        conditioning=conditioning(evaluator, performance),
+        time_step=case.shutdown.time_step,
+        largest_stable_step=largest_stable_step(driveline),
+    )
+
+
+def rundown(evaluator: Evaluator, performance: Performance) -> Rundown:
+    """Return how the run-down of one design point went, from its history."""
+    case = evaluator.case
+    driveline = evaluator.driveline(
+        performance.torsional_stiffness, performance.key_gap
+    )
+    history = simulate(driveline, case.shutdown)
+    swing = largest_swing(history, 2 * math.pi * performance.natural_frequency)
+    ratio = unclamped_viscosity_ratio(
+        case.lubrication.viscosity, history.generator_speed, case.bearings[0]
+    )
+    return Rundown(
+        resonance_speed=swing.speed,
+        resonance_swing=swing.amplitude,
+        rest_time=rest_time(history, driveline.engine_resistance.transition_speed),
+        revolutions=float(history.generator_angle[-1]) / (2 * math.pi),
+        final_speed=float(history.generator_speed[-1]),
+        out_of_range_time=float(
+            np.count_nonzero(ratio < VISCOSITY_RATIO_RANGE[0]) * case.shutdown.time_step
+        ),
+    )

@@ -1,0 +1,109 @@
+"""The limits that the steps of the flow put on a design, by name.
+
+Sources
+-------
+[1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062: section
+    "Design method", steps 2 to 4, and eq. (7).
+"""
+
+from __future__ import annotations
+
+import math
+
+from coupling_design.arithmetic import Scalar
+from coupling_design.bearing.contact_stress import (
+    minimum_load,
+    permissible_transmission_force,
+)
+from coupling_design.case.case import Case, LoadLimitReading
+from coupling_design.design.problem import Constraint
+from coupling_design.design.results import Performance, Sense
+
+# Above this ratio of excitation to natural frequency a soft mount attenuates, [1].
+ISOLATION_RATIO = math.sqrt(2)
+
+_ISOLATION_SOURCE = "passive vibration isolation, sqrt 2 (paper, step 2)"
+
+
+def excitation_frequencies(case: Case) -> tuple[tuple[float, float, float], ...]:
+    """Return (order, lowest, highest frequency [Hz]) over the working speed range."""
+    lowest, highest = (speed / (2 * math.pi) for speed in case.duty.working_speed)
+    return tuple(
+        (order.order, order.order * lowest, order.order * highest)
+        for order in case.driveline.excitation
+    )
+
+
+def highest_excitation(case: Case) -> float:
+    """Return the highest excitation frequency in the working speed range [Hz]."""
+    return max(highest for _, _, highest in excitation_frequencies(case))
+
+
+def isolation_constraints(case: Case) -> tuple[Constraint, ...]:
+    """Return, for each order, excitation over natural frequency at least sqrt 2.
+
+    The lowest working speed is where an order comes nearest to a soft coupling.
+    """
+
+    def ratio(order: float, excitation: float) -> Constraint:
+        def quantity(performance: Performance) -> Scalar:
+            return excitation / performance.natural_frequency
+
+        return Constraint(
+            name=f"order {order:g}: excitation over natural frequency",
+            quantity=quantity,
+            limit=ISOLATION_RATIO,
+            sense=Sense.AT_LEAST,
+            unit="",
+            source=_ISOLATION_SOURCE,
+            needs_rollout=False,
+        )
+
+    return tuple(
+        ratio(order, lowest) for order, lowest, _ in excitation_frequencies(case)
+    )
+
+
+def high_frequency_constraint(case: Case) -> Constraint:
+    """Return: natural frequency at least sqrt 2 times the highest excitation [Hz]."""
+    return Constraint(
+        name="natural frequency",
+        quantity=lambda performance: performance.natural_frequency,
+        limit=ISOLATION_RATIO * highest_excitation(case),
+        sense=Sense.AT_LEAST,
+        unit="Hz",
+        source="sqrt 2 times the highest excitation (paper, step 4)",
+        needs_rollout=False,
+    )
+
+
+def load_constraints(
+    case: Case, reading: LoadLimitReading | None = None
+) -> tuple[Constraint, ...]:
+    """Return the load limit in the case's reading, or in the one named."""
+    if (reading or case.reading) is LoadLimitReading.TRANSMISSION_FORCE:
+        return (_transmission_force(case),)
+    return tuple(_combined_load(case, k) for k in range(len(case.bearings)))
+
+
+def _transmission_force(case: Case) -> Constraint:
+    return Constraint(
+        name="peak transmission force",
+        quantity=lambda performance: performance.peak_transmission_force,
+        limit=float(permissible_transmission_force(case.shaft, case.bearings)),
+        sense=Sense.AT_MOST,
+        unit="N",
+        source="F_min less the static load (eq. 7; the paper's reading, no lever)",
+    )
+
+
+def _combined_load(case: Case, k: int) -> Constraint:
+    bearing = case.bearings[k]
+    return Constraint(
+        name=f"peak combined load, {bearing.name}",
+        quantity=lambda performance: performance.peak_combined_load[k],
+        limit=float(minimum_load(bearing)),
+        sense=Sense.AT_MOST,
+        unit="N",
+        source="F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
+    )

@@ -1,0 +1,119 @@
+"""The design flow: five steps in order, and what comes out at the end."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from coupling_design.case.case import Case, LoadLimitReading
+from coupling_design.bearing.contact_stress import strict_transmission_force
+from coupling_design.design.baseline import evaluate_baseline, rundown
+from coupling_design.design.conditioning import conditioning
+from coupling_design.design.constraints import load_constraints
+from coupling_design.design.results import (
+    Baseline,
+    ChosenDesign,
+    Criterion,
+    DesignOutcome,
+    LoadReading,
+    Performance,
+)
+from coupling_design.design.search import Effort, Progress, Workbench
+from coupling_design.design.stability import check_time_step
+from coupling_design.design.stages.bearing_load import limit_bearing_load
+from coupling_design.design.stages.coupling_types import determine_coupling_types
+from coupling_design.design.stages.high_stiffness_plan import plan_high_stiffness
+from coupling_design.design.stages.key_gap import minimise_key_gap
+from coupling_design.design.stages.vibration_isolation import (
+    check_vibration_isolation,
+)
+from coupling_design.design.state import FlowState, Solution
+
+Stage = Callable[[FlowState], FlowState]
+
+STAGES: tuple[Stage, ...] = (
+    determine_coupling_types,
+    check_vibration_isolation,
+    limit_bearing_load,
+    plan_high_stiffness,
+    minimise_key_gap,
+)
+
+
+def silent(_: str) -> None:
+    """Take a progress message and say nothing."""
+
+
+def run_design(
+    case: Case, progress: Progress = silent, effort: Effort | None = None
+) -> DesignOutcome:
+    """Return the outcome of the five-step flow on a case.
+
+    Raises CaseError if the time step is too large for the case's own driveline, and
+    SimulationError if a run-down leaves finite numbers.
+    """
+    began = time.perf_counter()
+    check_time_step(case)
+    bench = Workbench(case, progress, effort or Effort())
+    progress("present coupling")
+    state = FlowState(case, bench, evaluate_baseline(bench))
+    for number, stage in enumerate(STAGES, start=1):
+        bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
+        state = stage(state)
+    chosen = _chosen(state, state.solution) if state.solution else None
+    nearest = None if chosen or not state.nearest else state.nearest.performance
+    shown = chosen.performance if chosen else nearest
+    return DesignOutcome(
+        case=case,
+        baseline=state.baseline,
+        steps=state.steps,
+        chosen=chosen,
+        strict_reading=_strict_reading(case, shown) if shown else None,
+        nearest=nearest,
+        nearest_criteria=_nearest_criteria(state),
+        assumptions=case.assumptions,
+        run_time=time.perf_counter() - began,
+    )
+
+
+def _prefixed(progress: Progress, prefix: str) -> Progress:
+    return lambda message: progress(prefix + message)
+
+
+def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
+    evaluator = state.bench.evaluator(solution.candidate)
+    performance = solution.optimum.performance
+    state.bench.progress("run-down of the chosen coupling")
+    return ChosenDesign(
+        plan=solution.plan,
+        coupling_type=solution.candidate.coupling_type.name,
+        connection=solution.candidate.connection.kind.value,
+        performance=performance,
+        rundown=rundown(evaluator, performance),
+        conditioning=solution.optimum.conditioning
+        or conditioning(evaluator, performance),
+        damage_reduction=1 - performance.damage / state.baseline.performance.damage,
+    )
+
+
+def _strict_reading(case: Case, performance: Performance) -> LoadReading:
+    criteria = tuple(
+        limit.criterion(performance)
+        for limit in load_constraints(case, LoadLimitReading.COMBINED_LOAD)
+    )
+    return LoadReading(
+        reading=LoadLimitReading.COMBINED_LOAD.value,
+        criteria=criteria,
+        passes=all(criterion.passes for criterion in criteria),
+        permissible_transmission_force=float(
+            strict_transmission_force(case.shaft, case.bearings)
+        ),
+    )
+
+
+def _nearest_criteria(state: FlowState) -> tuple[Criterion, ...]:
+    """Return the criteria of the step whose failing optimum came nearest."""
+    for result in reversed(state.steps):
+        if state.nearest is not None and result.optimum is state.nearest:
+            return result.criteria
+    return ()

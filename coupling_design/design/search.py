@@ -1,0 +1,123 @@
+"""Scan, then Ipopt: how every stage looks for a point of one candidate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from coupling_design.case.case import Case, ConnectionKind
+from coupling_design.design.candidate import Candidate
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.problem import (
+    Constraint,
+    DesignProblem,
+    DesignSpace,
+    Objective,
+)
+from coupling_design.design.reach import reachable_stiffness
+from coupling_design.design.results import Optimum, Performance
+from coupling_design.design.scan import grid, local_minima
+from coupling_design.design.solve import optimise
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How closely a search looks: scan points, and starts for Ipopt.
+
+    `stiffnesses` is the number of points along stiffness when the gap is fixed;
+    `stiffnesses_with_gap` x `gaps` when it is not.
+    """
+
+    stiffnesses: int = 32
+    stiffnesses_with_gap: int = 11
+    gaps: int = 4
+    starts: int = 3
+
+
+@dataclass
+class Workbench:
+    """The evaluators of a case, each built once, and what the search may cost."""
+
+    case: Case
+    progress: Progress
+    effort: Effort = field(default_factory=Effort)
+    _evaluators: dict[Candidate, Evaluator] = field(default_factory=dict)
+
+    def evaluator(self, candidate: Candidate) -> Evaluator:
+        """Return the evaluator of a candidate."""
+        if candidate not in self._evaluators:
+            self._evaluators[candidate] = Evaluator(self.case, candidate)
+        return self._evaluators[candidate]
+
+
+def problem(
+    bench: Workbench,
+    candidate: Candidate,
+    space: DesignSpace,
+    objective: Objective,
+    constraints: tuple[Constraint, ...],
+) -> DesignProblem:
+    """Return the program of one candidate."""
+    return DesignProblem(bench.evaluator(candidate), space, objective, constraints)
+
+
+def search(
+    bench: Workbench,
+    program: DesignProblem,
+    scanned: tuple[Performance, ...] | None = None,
+    starts: int | None = None,
+) -> Optimum:
+    """Return the best verified point of a program; `scanned` saves a scan made before."""
+    if scanned is None:
+        scanned = look(bench, program)
+    return optimise(program, scanned, starts or bench.effort.starts)
+
+
+def look(bench: Workbench, program: DesignProblem) -> tuple[Performance, ...]:
+    """Return the scan of what the natural frequency leaves of a design space."""
+    bench.progress(f"scanning {program.evaluator.candidate.label}")
+    left = reachable_stiffness(
+        program.evaluator, program.constraints, program.space.stiffness
+    )
+    space = replace(program.space, stiffness=left or program.space.stiffness)
+    effort = bench.effort
+    if space.gap_is_free:
+        points = grid(space, effort.stiffnesses_with_gap, effort.gaps)
+    else:
+        points = grid(space, effort.stiffnesses, 1)
+    return program.evaluator.performances(points)
+
+
+def count_valleys(
+    program: DesignProblem, scanned: tuple[Performance, ...]
+) -> int:
+    """Return how many local minima of damage a scan over stiffness shows."""
+    damage = DesignProblem(
+        program.evaluator, program.space, Objective.DAMAGE, constraints=()
+    )
+    return len(local_minima(damage, scanned))
+
+
+def out_of_reach(program: DesignProblem) -> tuple[float, str] | None:
+    """Return why no stiffness of the space can meet the limits on natural frequency.
+
+    The smallest relative excess, and a sentence; None if some stiffness can.
+    """
+    evaluator, span = program.evaluator, program.space.stiffness
+    if reachable_stiffness(evaluator, program.constraints, span) is not None:
+        return None
+    ends = [evaluator.outline(stiffness) for stiffness in span]
+    excess = min(program.violation_without_rollout(end) for end in ends)
+    low, high = (float(end.natural_frequency) for end in ends)
+    remark = f"natural frequency only {low:.4g} to {high:.4g} Hz"
+    if evaluator.candidate.connection.kind is not ConnectionKind.TIGHT_FIT:
+        remark += ": the contact is a spring in series with the coupling"
+    return excess, remark
+
+
+def verdict_remark(program: DesignProblem, performance: Performance) -> str:
+    """Return in words whether a performance meets every limit, or which it fails."""
+    failed = [c.name for c in program.constraints if float(c.excess(performance)) > 0]
+    return f"fails: {', '.join(failed)}" if failed else "meets every limit"

@@ -1,0 +1,168 @@
+"""Step 3: does an elastic coupling keep the bearing load below its limit?"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from coupling_design.case.case import Case, Plan
+from coupling_design.design.candidate import Candidate
+from coupling_design.design.constraints import isolation_constraints, load_constraints
+from coupling_design.design.problem import (
+    Constraint,
+    DesignProblem,
+    DesignSpace,
+    Objective,
+)
+from coupling_design.design.results import (
+    Alternative,
+    Decision,
+    Optimum,
+    Performance,
+    StepResult,
+)
+from coupling_design.design.search import count_valleys, look, problem, search
+from coupling_design.design.state import (
+    AllowedType,
+    FlowState,
+    Solution,
+    connection_option,
+    gap_nearest_present,
+    options_of,
+)
+
+TITLE = "Bearing load"
+QUESTION = (
+    "Which stiffness of an isolating elastic coupling does the least damage while the "
+    "peak load stays below its limit, at the present gap?"
+)
+
+
+def limit_bearing_load(state: FlowState) -> FlowState:
+    """Return the state with an elastic solution, or with why there is none."""
+    if not state.elastic:
+        return state.after(
+            StepResult(
+                step=3,
+                title=TITLE,
+                question=QUESTION,
+                decision=Decision.SKIPPED,
+                findings=("No elastic coupling is left to examine.",),
+            )
+        )
+    trials = [_examine(state, allowed) for allowed in state.elastic]
+    passing = [trial for trial in trials if trial.solution is not None]
+    if passing:
+        best = min(passing, key=lambda trial: trial.optimum.performance.damage)
+        return state.after(
+            _result(state, trials, best, Decision.PASS), solution=best.solution
+        )
+    nearest = min(trials, key=lambda trial: trial.load_ratio)
+    return state.after(
+        _result(state, trials, nearest, Decision.FAIL), nearest=nearest.optimum
+    )
+
+
+@dataclass(frozen=True)
+class _Trial:
+    """What one elastic type came to: `load_ratio` is its smallest load over the limit."""
+
+    optimum: Optimum
+    load_ratio: float
+    alternatives: tuple[Alternative, ...]
+    findings: tuple[str, ...]
+    solution: Solution | None
+
+
+def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
+    case, bench = state.case, state.bench
+    kinds = allowed.coupling_type.connections
+    present = case.present_connection
+    option = (
+        connection_option(case, present)
+        if present in kinds
+        else options_of(case, allowed.coupling_type)[0]
+    )
+    gap = gap_nearest_present(case, option)
+    candidate = Candidate(allowed.coupling_type, option)
+    space = DesignSpace(allowed.stiffness, (gap, gap))
+    limits = _limits(case)
+    least_load = problem(bench, candidate, space, Objective.PEAK, limits)
+    scanned = look(bench, least_load)
+    bench.progress(f"least load of {candidate.label}")
+    lowest = search(bench, least_load, scanned)
+    ratio = float(least_load.load_ratio(lowest.performance))
+    findings = (_scan_finding(candidate, least_load, scanned),)
+    evidence = _evidence("at the present gap", lowest, ratio)
+    if ratio > 1.0:
+        evidence += _with_gap_closed(state, candidate, space)
+        return _Trial(lowest, ratio, evidence, findings, None)
+    bench.progress(f"least damage of {candidate.label}")
+    damage = problem(bench, candidate, space, Objective.DAMAGE, limits)
+    best = search(bench, damage, scanned)
+    if not damage.is_feasible(best.performance):
+        return _Trial(lowest, ratio, evidence, findings, None)
+    solution = Solution(Plan.ELASTIC, candidate, allowed, best, limits)
+    return _Trial(best, ratio, evidence, findings, solution)
+
+
+def _limits(case: Case) -> tuple[Constraint, ...]:
+    return (*isolation_constraints(case), *load_constraints(case))
+
+
+def _scan_finding(
+    candidate: Candidate, program: DesignProblem, scanned: tuple[Performance, ...]
+) -> str:
+    low, high = (stiffness / 1e6 for stiffness in program.space.stiffness)
+    valleys = count_valleys(program, scanned)
+    return (
+        f"{candidate.label}: {len(scanned)} stiffnesses from {low:.4g} to {high:.4g} "
+        f"MN*m/rad show {valleys} valley{'' if valleys == 1 else 's'} of damage."
+    )
+
+
+def _with_gap_closed(
+    state: FlowState, candidate: Candidate, space: DesignSpace
+) -> tuple[Alternative, ...]:
+    if space.gap[1] == 0.0:
+        return ()
+    state.bench.progress(f"least load of {candidate.label} with the gap closed")
+    closed = problem(
+        state.bench,
+        candidate,
+        DesignSpace(space.stiffness, (0.0, 0.0)),
+        Objective.PEAK,
+        _limits(state.case),
+    )
+    lowest = search(state.bench, closed, starts=1)
+    ratio = float(closed.load_ratio(lowest.performance))
+    return _evidence("with the gap closed", lowest, ratio)
+
+
+def _evidence(
+    where: str, lowest: Optimum, load_ratio: float
+) -> tuple[Alternative, ...]:
+    return (
+        Alternative(
+            name=f"{lowest.coupling_type}: smallest peak {where}",
+            passes=load_ratio <= 1.0,
+            performance=lowest.performance,
+            remark=f"{load_ratio:.3f} of the limit; Ipopt: {lowest.solver_status}, "
+            f"{lowest.starts_agreeing} of {lowest.starts} starts agree",
+        ),
+    )
+
+
+def _result(
+    state: FlowState, trials: list[_Trial], shown: _Trial, decision: Decision
+) -> StepResult:
+    performance = shown.optimum.performance
+    return StepResult(
+        step=3,
+        title=TITLE,
+        question=QUESTION,
+        decision=decision,
+        criteria=tuple(limit.criterion(performance) for limit in _limits(state.case)),
+        alternatives=tuple(a for trial in trials for a in trial.alternatives),
+        findings=tuple(f for trial in trials for f in trial.findings),
+        optimum=shown.optimum,
+    )

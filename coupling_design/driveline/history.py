@@ -1,0 +1,92 @@
+"""One run-down in full: time histories of the driveline.
+
+Sources
+-------
+[1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062, eq. (1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.driveline.dynamics import motion, state_names
+from coupling_design.driveline.initial_state import quasi_steady_state
+from coupling_design.driveline.parameters import Driveline, Shutdown
+from coupling_design.driveline.rollout import record, rk4_step
+from coupling_design.errors import SimulationError
+
+# Recorded in pieces, so that the graph stays small however long the run-down is.
+_PIECE = 1000
+
+
+@dataclass(frozen=True)
+class History:
+    """Signals at the start of every step, each (n_steps,).
+
+    Attributes
+    ----------
+    time : [s]
+    transmission_force : F_c [N]
+    coupling_torque : in the elastic part [N m]
+    engine_speed, generator_speed : [rad/s]
+    generator_angle : turned since the start [rad]
+    """
+
+    time: FloatArray
+    transmission_force: FloatArray
+    coupling_torque: FloatArray
+    engine_speed: FloatArray
+    generator_speed: FloatArray
+    generator_angle: FloatArray
+
+
+_SIGNALS = tuple(History.__dataclass_fields__)[1:]
+
+
+def simulate(driveline: Driveline, shutdown: Shutdown) -> History:
+    """Return the history of a run-down from its quasi-steady start.
+
+    Raises SimulationError, saying when, if the rollout leaves finite numbers.
+    """
+    state = ca.SX.sym("state", len(state_names(driveline)))
+    none = ca.SX.sym("parameters", 0)
+    now = motion(driveline, state)
+    step = ca.Function(
+        "step",
+        [state, none],
+        [
+            rk4_step(
+                lambda y: motion(driveline, y).state_rate, state, shutdown.time_step
+            )
+        ],
+    )
+    signals = ca.vertcat(*(getattr(now, name) for name in _SIGNALS))
+    output = ca.Function("signals", [state, none], [signals])
+    start = ca.DM(quasi_steady_state(driveline, shutdown.initial_speed))
+    columns = _record(step, output, start, shutdown)
+    time = shutdown.time_step * np.arange(shutdown.n_steps)
+    return History(time, *columns)
+
+
+def _record(
+    step: ca.Function, output: ca.Function, state: ca.DM, shutdown: Shutdown
+) -> FloatArray:
+    pieces = []
+    full, rest = divmod(shutdown.n_steps, _PIECE)
+    lengths = [_PIECE] * full + ([rest] if rest else [])
+    recorders = {length: record(step, output, length) for length in set(lengths)}
+    for i, length in enumerate(lengths):
+        state, outputs = recorders[length](state, ca.DM(0, 1))
+        pieces.append(np.asarray(outputs))
+        if not np.isfinite(np.asarray(state)).all():
+            reached = (i * _PIECE + length) * shutdown.time_step
+            message = (
+                f"the run-down left finite numbers by {reached:.4g} s, with a step of "
+                f"{shutdown.time_step:.3g} s. Take a smaller step, or a softer contact."
+            )
+            raise SimulationError(message)
+    return np.hstack(pieces)
