@@ -89,11 +89,11 @@ class Evaluator:
         end = np.asarray(self._march(start, point)).ravel()
         totals = end[-len(TOTALS) :]
         self._check_finite(totals, torsional_stiffness, key_gap)
-        return self.read(torsional_stiffness, key_gap, totals)
+        return self.read(torsional_stiffness, key_gap, totals.tolist())
 
     def outline(self, torsional_stiffness: float, key_gap: float = 0.0) -> Performance:
         """Return a performance that is known without a rollout, its loads left zero."""
-        return self.read(torsional_stiffness, key_gap, np.zeros(len(TOTALS)))
+        return self.read(torsional_stiffness, key_gap, [0.0] * len(TOTALS))
 
     def performances(
         self, points: Sequence[tuple[float, float]]

@@ -26,14 +26,14 @@ Progress = Callable[[str], None]
 class Effort:
     """How closely a search looks: scan points, and starts for Ipopt.
 
-    `stiffnesses` is the number of points along stiffness when the gap is fixed;
+    `stiffnesses` is the number of points along stiffness when the gap is fixed,
     `stiffnesses_with_gap` x `gaps` when it is not.
     """
 
     stiffnesses: int = 32
     stiffnesses_with_gap: int = 11
     gaps: int = 4
-    starts: int = 3
+    starts: int = 2
 
 
 @dataclass
@@ -67,12 +67,11 @@ def search(
     bench: Workbench,
     program: DesignProblem,
     scanned: tuple[Performance, ...] | None = None,
-    starts: int | None = None,
 ) -> Optimum:
     """Return the best verified point of a program; `scanned` saves a scan made before."""
     if scanned is None:
         scanned = look(bench, program)
-    return optimise(program, scanned, starts or bench.effort.starts)
+    return optimise(program, scanned, bench.effort.starts)
 
 
 def look(bench: Workbench, program: DesignProblem) -> tuple[Performance, ...]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.problem import DesignProblem
-from coupling_design.design.results import Conditioning, Optimum, Performance
+from coupling_design.design.results import Optimum, Performance
 from coupling_design.design.scan import best_first, local_minima
 
 # Exact first derivatives, approximated second ones: a second derivative of 120 000
@@ -26,7 +26,7 @@ _IPOPT = {
     "tol": 1e-5,
     "acceptable_tol": 1e-3,
     "acceptable_iter": 5,
-    "max_iter": 40,
+    "max_iter": 30,
     # Scaled by hand already; one chaotic gradient must not set the scale.
     "nlp_scaling_method": "none",
     # A limit is a limit: no point beyond the bounds, not even by rounding.
@@ -39,6 +39,7 @@ _ACTIVE = 1e-4
 # Starts agree when they end this near in objective (a ratio, as it is a logarithm or
 # of order one) and in every scaled variable.
 _SAME_OBJECTIVE, _SAME_POINT = 1e-3, 1e-2
+_SEARCH_ITERATIONS = 15
 # The program's limits lie a little inside the scan's: less than this is no win.
 _TIE = 1e-5
 
@@ -82,8 +83,63 @@ def optimise(
         rollouts=rollouts,
         kkt_residual=end.residual if by_ipopt else None,
         active_constraints=_active(problem, winner),
-        conditioning=_conditioning(problem, winner),
+        conditioning=conditioning(problem.evaluator, winner),
     )
+
+
+def smallest_load(
+    problem: DesignProblem, scanned: Sequence[Performance], n_valleys: int
+) -> Optimum:
+    """Return the point of smallest load over stiffness, at a fixed gap.
+
+    The largest of 120 000 loads has a kink wherever another one takes the lead, so
+    the best valleys of the scan are searched without derivatives.
+    """
+    before = problem.evaluator.rollouts
+    floors = best_first(problem, local_minima(problem, scanned))[:n_valleys]
+    ends = [_bounded_search(problem, scanned, floor) for floor in floors]
+    rollouts = problem.evaluator.rollouts - before
+    winner = best_first(problem, ends)[0]
+    same = [abs(float(problem.value(end) - problem.value(winner))) for end in ends]
+    return Optimum(
+        objective=problem.objective.value,
+        performance=winner,
+        connection=problem.evaluator.candidate.connection.kind.value,
+        coupling_type=problem.evaluator.candidate.coupling_type.name,
+        method="bounded search",
+        solver_status="not used",
+        starts=len(ends),
+        starts_agreeing=sum(difference <= _SAME_OBJECTIVE for difference in same),
+        scan_points=len(scanned),
+        rollouts=rollouts,
+        kkt_residual=None,
+        active_constraints=_active(problem, winner),
+        conditioning=conditioning(problem.evaluator, winner),
+    )
+
+
+def _bounded_search(
+    problem: DesignProblem, scanned: Sequence[Performance], floor: Performance
+) -> Performance:
+    """Return the best point between the neighbours of a valley's floor."""
+    from scipy.optimize import minimize_scalar
+
+    at = next(i for i, performance in enumerate(scanned) if performance is floor)
+    neighbours = scanned[max(at - 1, 0)], scanned[min(at + 1, len(scanned) - 1)]
+    seen = [floor]
+
+    def value(log_stiffness: float) -> float:
+        stiffness = float(np.exp(log_stiffness))
+        seen.append(problem.evaluator.performance(stiffness, floor.key_gap))
+        return float(problem.value(seen[-1]))
+
+    minimize_scalar(
+        value,
+        bounds=[float(np.log(p.torsional_stiffness)) for p in neighbours],
+        method="bounded",
+        options={"xatol": _SAME_POINT * 0.1, "maxiter": _SEARCH_ITERATIONS},
+    )
+    return best_first(problem, seen)[0]
 
 
 def _clearly_better(
@@ -175,6 +231,3 @@ def _active(problem: DesignProblem, performance: Performance) -> tuple[str, ...]
     ]
     return tuple(active)
 
-
-def _conditioning(problem: DesignProblem, performance: Performance) -> Conditioning:
-    return conditioning(problem.evaluator, performance)
