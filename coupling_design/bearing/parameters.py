@@ -1,4 +1,4 @@
-"""What describes the bearings of a generator, their shaft and their lubrication (SI)."""
+"""What describes a generator's bearings, shaft and lubrication, in SI."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Cleanliness(StrEnum):
 
 @dataclass(frozen=True)
 class ShaftGeometry:
-    """Overhung shaft: l1 hub to bearing 1, l2 and l3 bearings to rotor [m], weight G [N]."""
+    """Overhung shaft: l1 hub to bearing 1, l2, l3 bearings to rotor [m], G [N]."""
 
     hub_to_bearing_1: Scalar
     bearing_1_to_rotor: Scalar

@@ -1,0 +1,1 @@
+"""What should the coupling be?"""

@@ -27,15 +27,15 @@ from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.results import Performance
 from coupling_design.driveline.dynamics import Motion, motion, state_names
 from coupling_design.driveline.initial_state import quasi_steady_state
-from coupling_design.driveline.modes import natural_frequency
+from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
-from coupling_design.driveline.rollout import (
+from coupling_design.errors import SimulationError
+from coupling_design.rollout.march import march
+from coupling_design.rollout.runge_kutta import rk4_step
+from coupling_design.rollout.sensitivities import (
     join_sensitivities,
-    march,
-    rk4_step,
     with_sensitivities,
 )
-from coupling_design.errors import SimulationError
 
 # What a rollout adds up, in the order of its state's last entries.
 TOTALS = (
@@ -70,9 +70,8 @@ class Evaluator:
 
     def natural_frequency(self, torsional_stiffness: Scalar) -> Scalar:
         """Return the lowest natural frequency with the gap closed [Hz]."""
-        return natural_frequency(self.driveline(torsional_stiffness, 0.0)) / (
-            2 * math.pi
-        )
+        driveline = self.driveline(torsional_stiffness, 0.0)
+        return natural_angular_frequency(driveline) / (2 * math.pi)
 
     def performance(
         self, torsional_stiffness: float, key_gap: float, start_offset: float = 0.0
@@ -212,7 +211,7 @@ class Evaluator:
         )
 
     def _add(self, totals: Scalar, now: Motion) -> Scalar:
-        """Return the totals with the segment that starts now, eqs. (4)-(6), (13), (14)."""
+        """Return the totals with the segment that starts now, eqs. (4)-(6), (14)."""
         case = self.case
         forces = rotational_loads(now.transmission_force, case.shaft)
         weights = static_loads(case.shaft)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from coupling_design.case.case import Case, LoadLimitReading
 from coupling_design.bearing.contact_stress import strict_transmission_force
+from coupling_design.case.case import Case, LoadLimitReading
 from coupling_design.design.baseline import evaluate_baseline, rundown
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
 from coupling_design.design.results import (
-    Baseline,
     ChosenDesign,
     Criterion,
     DesignOutcome,

@@ -14,7 +14,8 @@ import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import Scalar
-from coupling_design.design.evaluation import TOTALS, Evaluator
+from coupling_design.design.callback import RolloutCallback
+from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.results import Criterion, Performance, Sense
 
 # The program's limits lie this much inside the true ones, relative, so that a point
@@ -79,9 +80,11 @@ class DesignSpace:
         return self.gap[1] > self.gap[0]
 
     def scaled(self, stiffness: float, gap: float) -> list[float]:
-        """Return a point in the program's variables, logarithm of stiffness, then gap."""
+        """Return a point in the program's variables: log stiffness, then gap."""
         low, high = np.log(self.stiffness)
-        scaled = [(float(np.log(stiffness)) - low) / (high - low) if high > low else 0.0]
+        scaled = [
+            (float(np.log(stiffness)) - low) / (high - low) if high > low else 0.0
+        ]
         if self.gap_is_free:
             scaled.append((gap - self.gap[0]) / (self.gap[1] - self.gap[0]))
         return [float(np.clip(value, 0.0, 1.0)) for value in scaled]
@@ -143,11 +146,7 @@ class DesignProblem:
     def violation_without_rollout(self, performance: Performance) -> float:
         """Return the largest relative excess of those that need no rollout."""
         return max(
-            (
-                float(c.excess(performance))
-                for c in self.binding
-                if not c.needs_rollout
-            ),
+            (float(c.excess(performance)) for c in self.binding if not c.needs_rollout),
             default=0.0,
         )
 
@@ -167,71 +166,3 @@ class DesignProblem:
             "program", [u], [self.value(performance), ca.vertcat(*excess)]
         )
         return program, [rollout]
-
-
-class RolloutCallback(ca.Callback):
-    """The rollout as a CasADi function of (stiffness, gap), with its exact Jacobian."""
-
-    def __init__(self, evaluator: Evaluator) -> None:
-        ca.Callback.__init__(self)
-        self._evaluator = evaluator
-        self._kept: list[ca.Callback] = []
-        self.construct("rollout", {})
-
-    def get_n_in(self) -> int:
-        """Return 1: the point."""
-        return 1
-
-    def get_n_out(self) -> int:
-        """Return 1: the totals."""
-        return 1
-
-    def get_sparsity_in(self, _: int) -> ca.Sparsity:
-        """Return the shape of the point."""
-        return ca.Sparsity.dense(2)
-
-    def get_sparsity_out(self, _: int) -> ca.Sparsity:
-        """Return the shape of the totals."""
-        return ca.Sparsity.dense(len(TOTALS))
-
-    def eval(self, arguments: list[ca.DM]) -> list[ca.DM]:
-        """Return the totals at a point."""
-        stiffness, gap = (float(value) for value in arguments[0].full().ravel())
-        return [ca.DM(self._evaluator.totals_and_jacobian(stiffness, gap)[0])]
-
-    def has_jacobian(self) -> bool:
-        """Return that the Jacobian is known exactly."""
-        return True
-
-    def get_jacobian(
-        self, name: str, _inames: list[str], _onames: list[str], opts: dict[str, object]
-    ) -> ca.Function:
-        """Return the Jacobian as a callback of its own."""
-        jacobian = _JacobianCallback(self._evaluator, name, opts)
-        self._kept.append(jacobian)
-        return jacobian
-
-
-class _JacobianCallback(ca.Callback):
-    def __init__(
-        self, evaluator: Evaluator, name: str, options: dict[str, object]
-    ) -> None:
-        ca.Callback.__init__(self)
-        self._evaluator = evaluator
-        self.construct(name, options)
-
-    def get_n_in(self) -> int:
-        return 2
-
-    def get_n_out(self) -> int:
-        return 1
-
-    def get_sparsity_in(self, i: int) -> ca.Sparsity:
-        return ca.Sparsity.dense(2 if i == 0 else len(TOTALS))
-
-    def get_sparsity_out(self, _: int) -> ca.Sparsity:
-        return ca.Sparsity.dense(len(TOTALS), 2)
-
-    def eval(self, arguments: list[ca.DM]) -> list[ca.DM]:
-        stiffness, gap = (float(value) for value in arguments[0].full().ravel())
-        return [ca.DM(self._evaluator.totals_and_jacobian(stiffness, gap)[1])]

@@ -68,7 +68,7 @@ def search(
     program: DesignProblem,
     scanned: tuple[Performance, ...] | None = None,
 ) -> Optimum:
-    """Return the best verified point of a program; `scanned` saves a scan made before."""
+    """Return the best verified point of a program; `scanned` saves its scan."""
     if scanned is None:
         scanned = look(bench, program)
     return optimise(program, scanned, bench.effort.starts)
@@ -89,9 +89,7 @@ def look(bench: Workbench, program: DesignProblem) -> tuple[Performance, ...]:
     return program.evaluator.performances(points)
 
 
-def count_valleys(
-    program: DesignProblem, scanned: tuple[Performance, ...]
-) -> int:
+def count_valleys(program: DesignProblem, scanned: tuple[Performance, ...]) -> int:
     """Return how many local minima of damage a scan over stiffness shows."""
     damage = DesignProblem(
         program.evaluator, program.space, Objective.DAMAGE, constraints=()

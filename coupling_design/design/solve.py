@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -19,7 +20,7 @@ from coupling_design.design.scan import best_first, local_minima
 
 # Exact first derivatives, approximated second ones: a second derivative of 120 000
 # steps costs more than the iterations it would save.
-_IPOPT = {
+_IPOPT: dict[str, Any] = {
     "hessian_approximation": "limited-memory",
     "mu_strategy": "adaptive",
     # A damage is known to about five digits: more in the multipliers is not in it.
@@ -171,11 +172,17 @@ def _run_ipopt(problem: DesignProblem, start: Performance) -> _End:
     n = program.size1_in(0)
     u = ca.MX.sym("u", n)
     objective, excess = program(u)
+    parts: dict[str, Any] = {"x": u, "f": objective, "g": excess}
+    options: dict[str, Any] = {
+        "ipopt": _IPOPT,
+        "print_time": False,
+        "error_on_fail": False,
+    }
     solver = ca.nlpsol(
         "design",
         "ipopt",
-        {"x": u, "f": objective, "g": excess},
-        {"ipopt": _IPOPT, "print_time": False, "error_on_fail": False},
+        parts,
+        options,
     )
     u0 = problem.space.scaled(start.torsional_stiffness, start.key_gap)
     found = solver(x0=u0, lbx=0.0, ubx=1.0, lbg=-ca.inf, ubg=0.0)
@@ -230,4 +237,3 @@ def _active(problem: DesignProblem, performance: Performance) -> tuple[str, ...]
         c.name for c in problem.binding if abs(float(c.excess(performance))) <= _ACTIVE
     ]
     return tuple(active)
-

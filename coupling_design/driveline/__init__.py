@@ -1,0 +1,1 @@
+"""How does the shaft line move? Knows nothing of bearings or files."""

@@ -59,7 +59,7 @@ def state_names(driveline: Driveline) -> tuple[str, ...]:
 
 
 def reduced_inertia(driveline: Driveline) -> Scalar:
-    """Return J1 (J2 + J3) / (J1 + J2 + J3) [kg m^2], the coupling's two-mass inertia."""
+    """Return J1 (J2 + J3) / (J1 + J2 + J3) [kg m^2], of the two masses."""
     J1 = driveline.engine_inertia
     J23 = driveline.coupling_inertia + driveline.generator_inertia
     return J1 * J23 / (J1 + J23)
@@ -78,10 +78,14 @@ def motion(driveline: Driveline, state: Scalar) -> Motion:
     return _tight_motion(driveline, state)
 
 
+def _entries(state: Scalar) -> list[Scalar]:
+    return list(ca.vertsplit(state))
+
+
 def _keyed_motion(
     driveline: Driveline, connection: KeyedConnection, state: Scalar
 ) -> Motion:
-    th1, th2, th3, w1, w2, w3 = ca.vertsplit(state)
+    th1, th2, th3, w1, w2, w3 = _entries(state)
     J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
     J3 = driveline.generator_inertia
     T_1 = excitation_torque(th1, driveline.excitation) - resistance_torque(
@@ -104,7 +108,7 @@ def _keyed_motion(
 
 
 def _tight_motion(driveline: Driveline, state: Scalar) -> Motion:
-    th1, th3, w1, w3 = ca.vertsplit(state)
+    th1, th3, w1, w3 = _entries(state)
     J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
     J3 = driveline.generator_inertia
     T_1 = excitation_torque(th1, driveline.excitation) - resistance_torque(
@@ -126,9 +130,7 @@ def _tight_motion(driveline: Driveline, state: Scalar) -> Motion:
     )
 
 
-def _coupling_torque(
-    driveline: Driveline, twist: Scalar, twist_rate: Scalar
-) -> Scalar:
+def _coupling_torque(driveline: Driveline, twist: Scalar, twist_rate: Scalar) -> Scalar:
     k_dyn = driveline.coupling.torsional_stiffness
     c_dyn = coupling_damping(driveline.coupling, reduced_inertia(driveline))
     return k_dyn * twist + c_dyn * twist_rate

@@ -16,8 +16,9 @@ from coupling_design.arithmetic import FloatArray
 from coupling_design.driveline.dynamics import motion, state_names
 from coupling_design.driveline.initial_state import quasi_steady_state
 from coupling_design.driveline.parameters import Driveline, Shutdown
-from coupling_design.driveline.rollout import record, rk4_step
 from coupling_design.errors import SimulationError
+from coupling_design.rollout.recording import record
+from coupling_design.rollout.runge_kutta import rk4_step
 
 # Recorded in pieces, so that the graph stays small however long the run-down is.
 _PIECE = 1000
@@ -68,20 +69,20 @@ def simulate(driveline: Driveline, shutdown: Shutdown) -> History:
     output = ca.Function("signals", [state, none], [signals])
     start = ca.DM(quasi_steady_state(driveline, shutdown.initial_speed))
     columns = _record(step, output, start, shutdown)
-    time = shutdown.time_step * np.arange(shutdown.n_steps)
+    time = shutdown.time_step * np.arange(shutdown.n_steps, dtype=np.float64)
     return History(time, *columns)
 
 
 def _record(
     step: ca.Function, output: ca.Function, state: ca.DM, shutdown: Shutdown
 ) -> FloatArray:
-    pieces = []
+    pieces: list[FloatArray] = []
     full, rest = divmod(shutdown.n_steps, _PIECE)
     lengths = [_PIECE] * full + ([rest] if rest else [])
     recorders = {length: record(step, output, length) for length in set(lengths)}
     for i, length in enumerate(lengths):
         state, outputs = recorders[length](state, ca.DM(0, 1))
-        pieces.append(np.asarray(outputs))
+        pieces.append(np.asarray(outputs, dtype=np.float64))
         if not np.isfinite(np.asarray(state)).all():
             reached = (i * _PIECE + length) * shutdown.time_step
             message = (

@@ -30,11 +30,11 @@ class Modes:
     The first is the rigid-body mode; each shape's largest entry is 1.
     """
 
-    natural_frequencies: FloatArray
+    angular_frequencies: FloatArray
     shapes: FloatArray
 
 
-def natural_frequency(driveline: Driveline) -> Scalar:
+def natural_angular_frequency(driveline: Driveline) -> Scalar:
     """Return the lowest torsional natural frequency [rad/s]; value or symbol.
 
     Undamped, gap closed. Tight fit: two masses, omega^2 = k / J_red. Keyed: the
@@ -106,7 +106,9 @@ def largest_stable_step(driveline: Driveline) -> float:
     K = stiffness_matrix(driveline, LARGEST_RELATIVE_SLOPE)
     C = damping_matrix(driveline)
     n = len(K)
-    A = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse_mass @ K, -inverse_mass @ C]])
+    A = np.block(
+        [[np.zeros((n, n)), np.eye(n)], [-inverse_mass @ K, -inverse_mass @ C]]
+    )
     eigenvalues = np.linalg.eigvals(A)
     fastest = float(np.abs(eigenvalues).max())
     # Eigenvalues that rounding cannot tell from zero are the rigid-body motion.

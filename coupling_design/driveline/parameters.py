@@ -13,7 +13,7 @@ from coupling_design.arithmetic import Scalar
 
 @dataclass(frozen=True)
 class ProportionalDamping:
-    """Damping proportional to stiffness, c = kappa0 k / omega0 (steel-spring couplings).
+    """Damping proportional to stiffness, c = kappa0 k / omega0 (steel springs).
 
     `damping_factor` is kappa0 [-], `characteristic_frequency` omega0 [rad/s].
     """

@@ -24,15 +24,15 @@ class Swing:
     time: float
 
 
-def largest_swing(history: History, natural_frequency: float) -> Swing:
-    """Return the largest swing over one period of `natural_frequency` [rad/s].
+def largest_swing(history: History, angular_frequency: float) -> Swing:
+    """Return the largest swing over one period of `angular_frequency` [rad/s].
 
     The mean that the deceleration puts into the force does not count as swing.
     """
     from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
     step = history.time[1] - history.time[0]
-    period = max(round(2 * math.pi / natural_frequency / step), 2)
+    period = max(round(2 * math.pi / angular_frequency / step), 2)
     force = history.transmission_force
     swing = (maximum_filter1d(force, period) - minimum_filter1d(force, period)) / 2
     at = int(np.argmax(swing))

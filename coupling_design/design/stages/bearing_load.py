@@ -65,7 +65,7 @@ def limit_bearing_load(state: FlowState) -> FlowState:
 
 @dataclass(frozen=True)
 class _Trial:
-    """What one elastic type came to: `load_ratio` is its smallest load over the limit."""
+    """What one elastic type came to; `load_ratio`: smallest load over the limit."""
 
     optimum: Optimum
     load_ratio: float

@@ -49,14 +49,15 @@ def plan_high_stiffness(state: FlowState) -> FlowState:
         for allowed in state.stiff
         for option in options_of(state.case, allowed.coupling_type)
     ]
-    passing = [trial for trial in trials if trial.solution is not None]
-    if not passing:
+    solutions = [trial.solution for trial in trials if trial.solution is not None]
+    if not solutions:
         return _fail(state, trials)
     best = min(
-        passing, key=lambda trial: trial.optimum.performance.torsional_stiffness
+        solutions,
+        key=lambda found: float(found.optimum.performance.torsional_stiffness),
     )
     return state.after(
-        _result(state, trials, best.optimum, Decision.PASS), solution=best.solution
+        _result(state, trials, best.optimum, Decision.PASS), solution=best
     )
 
 
@@ -123,9 +124,7 @@ def _fail(state: FlowState, trials: list[_Trial]) -> FlowState:
     if not rolled:
         return state.after(_result(state, trials, None, Decision.FAIL))
     nearest = min(rolled, key=lambda trial: trial.excess).optimum
-    return state.after(
-        _result(state, trials, nearest, Decision.FAIL), nearest=nearest
-    )
+    return state.after(_result(state, trials, nearest, Decision.FAIL), nearest=nearest)
 
 
 def _result(

@@ -62,9 +62,7 @@ def _tightest(solution: Solution, passing: list[_Trial]) -> Solution:
     """
     for trial in reversed(passing):
         if trial.optimum is not None:
-            return replace(
-                solution, candidate=trial.candidate, optimum=trial.optimum
-            )
+            return replace(solution, candidate=trial.candidate, optimum=trial.optimum)
     return solution
 
 
@@ -108,7 +106,9 @@ def _examine(state: FlowState, solution: Solution, option: ConnectionOption) -> 
     )
 
 
-def _result(chosen: Solution, trials: list[_Trial], passing: list[_Trial]) -> StepResult:
+def _result(
+    chosen: Solution, trials: list[_Trial], passing: list[_Trial]
+) -> StepResult:
     performance = chosen.optimum.performance
     least = min(
         (t.optimum for t in passing if t.optimum is not None),

@@ -1,0 +1,1 @@
+"""Marching a step over many steps; nothing here knows of drivelines."""
