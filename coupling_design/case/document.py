@@ -27,10 +27,26 @@ class Document:
     problems: tuple[Problem, ...] = ()
 
     def line(self, path: Path) -> int:
-        """Return the line of a path, or of the nearest thing that holds it."""
+        """Return the line of a value, or of the nearest thing that would hold it."""
+        if (*path, "value") in self.lines:
+            return self.lines[*path, "value"]
         while path and path not in self.lines:
             path = path[:-1]
         return self.lines.get(path, 1)
+
+    def text(self, path: Path) -> str:
+        """Return a value as written, without its source; nothing if it is no scalar."""
+        return self.texts.get((*path, "value"), self.texts.get(path, ""))
+
+    def raw(self, path: Path) -> Any:
+        """Return what stands at a path, None if nothing does."""
+        value = self.data
+        for element in path:
+            try:
+                value = value[element]
+            except (LookupError, TypeError):
+                return None
+        return value
 
 
 def parse_text(text: str, file: str) -> Document:

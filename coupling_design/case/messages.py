@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from coupling_design.case.document import Document
@@ -32,7 +33,7 @@ def problems_of(
     details = error.errors(include_url=False)
     misspelt = set(_misspelt(details, model))
     for detail in details:
-        place = _place(model, detail["loc"], document.data)
+        place = _place(model, detail["loc"])
         if detail["type"] == "missing" and place.path in misspelt:
             continue
         if detail["type"] == "too_short" and _is_long_enough(detail):
@@ -44,7 +45,7 @@ def _misspelt(details: list[ErrorDetails], model: type[BaseModel]) -> Iterator[P
     """Yield the paths of keys that are missing because they are misspelt."""
     for detail in details:
         if detail["type"] == "extra_forbidden":
-            place = _place(model, detail["loc"], None)
+            place = _place(model, detail["loc"])
             near = suggestion(str(place.path[-1]), _keys(place.section))
             for key in _keys(place.section):
                 if f"'{key}'" in near:
@@ -57,10 +58,11 @@ def _is_long_enough(detail: ErrorDetails) -> bool:
 
 
 def _problem(detail: ErrorDetails, place: _Place, document: Document) -> Problem:
-    path, key = place.path, place.path[-1] if place.path else ""
+    path, key = place.path, str(detail["loc"][-1]) if detail["loc"] else ""
     match detail["type"]:
         case "missing":
-            return Problem(path[:-1], _missing(str(key), place))
+            of_value = place.section and issubclass(place.section, Stated)
+            return Problem(path if of_value else path[:-1], _missing(key, place))
         case "union_tag_not_found":
             return Problem(path, f"missing key 'law'; allowed: {_laws(place)}")
         case "union_tag_invalid":
@@ -68,7 +70,7 @@ def _problem(detail: ErrorDetails, place: _Place, document: Document) -> Problem
             sentence = _not_allowed(_found(path, document), _laws(place))
             return Problem(path, sentence)
         case "extra_forbidden":
-            return Problem(path, _unknown(str(key), place))
+            return Problem(path, _unknown(key, place))
         case "quantity":
             found = _found(path, document)
             return Problem(path, f"found {found}, {detail['ctx']['sentence']}")
@@ -103,7 +105,7 @@ def _wrong_form(detail: ErrorDetails, place: _Place, found: str) -> str:
     return f"found {found}, expected {_expectation(place.expected)}"
 
 
-def _place(model: type[BaseModel], location: Path, data: Any) -> _Place:
+def _place(model: type[BaseModel], location: Path) -> _Place:
     """Return where an error's location is, without what only pydantic knows."""
     path: Path = ()
     section: type[BaseModel] | None = None
@@ -115,25 +117,19 @@ def _place(model: type[BaseModel], location: Path, data: Any) -> _Place:
         elif choices:
             section = choices[0]
             inner = section.model_fields.get(str(element))
-            if not (issubclass(section, Stated) and _is_bare(data, path)):
+            if not (issubclass(section, Stated) and element == "value"):
                 path = (*path, element)
-            expected = inner and (next(iter(inner.metadata), None) or inner.annotation)
-            if inner and not isinstance(expected, Kind):
-                expected = inner.annotation
+            expected = _wanted(inner) if inner else None
         else:
             path = (*path, element)
             expected = next(iter(get_args(expected)), None)
     return _Place(path, section, expected)
 
 
-def _is_bare(data: Any, path: Path) -> bool:
-    """Return whether a value stands without its source: not as a mapping."""
-    for element in path:
-        try:
-            data = data[element]
-        except (LookupError, TypeError):
-            return True
-    return not isinstance(data, dict)
+def _wanted(field: FieldInfo) -> Any:
+    """Return the kind of quantity a field wants, or else its type."""
+    kinds = (item for item in field.metadata if isinstance(item, Kind))
+    return next(kinds, field.annotation)
 
 
 def _models(expected: Any) -> list[type[BaseModel]]:
@@ -176,9 +172,7 @@ def _expectation(expected: Any) -> str:
         return f"{expected.name}, such as {expected.example}"
     models = _models(expected)
     if len(models) == 1 and issubclass(models[0], Stated):
-        field = models[0].model_fields["value"]
-        kinds = [item for item in field.metadata if isinstance(item, Kind)]
-        return _expectation(kinds[0] if kinds else field.annotation)
+        return _expectation(_wanted(models[0].model_fields["value"]))
     if len(models) == 1:
         keys = ", ".join(_keys(models[0]))
         return f"a mapping with the keys {keys}" if keys else "an empty mapping, {}"
@@ -193,16 +187,11 @@ def _expectation(expected: Any) -> str:
 
 def _found(path: Path, document: Document) -> str:
     """Return what stands at a path, as written."""
-    value: Any = document.data
-    for element in path:
-        try:
-            value = value[element]
-        except (LookupError, TypeError):
-            return "nothing"
+    value = document.raw(path)
+    if isinstance(value, dict) and "value" in value:
+        value = value["value"]
     if value is None:
         return "nothing"
     if isinstance(value, dict):
         return "a mapping"
-    if isinstance(value, list):
-        return "a list"
-    return f"'{document.texts.get(path, value)}'"
+    return "a list" if isinstance(value, list) else f"'{document.text(path) or value}'"

@@ -19,7 +19,7 @@ def list_provenance(section: BaseModel, document: Document) -> tuple[SourcedValu
     return tuple(
         SourcedValue(
             path=dotted(path),
-            text=_text(path, document),
+            text=document.text(path),
             value=stated.value,
             unit=_unit(stated),
             source=stated.source,
@@ -38,11 +38,6 @@ def _stated(part: Any, path: Path) -> Iterator[tuple[Path, Stated[Any]]]:
     elif isinstance(part, tuple):
         for index, entry in enumerate(part):
             yield from _stated(entry, (*path, index))
-
-
-def _text(path: Path, document: Document) -> str:
-    texts = document.texts
-    return texts.get((*path, "value"), texts.get(path, ""))
 
 
 def _unit(stated: Stated[Any]) -> str:

@@ -22,6 +22,7 @@ from coupling_design.case.kinds import (
     Time,
 )
 from coupling_design.case.problem import Path, Problem
+from coupling_design.case.quantity import exceeds
 from coupling_design.case.values import Values
 
 _MOST_STEPS = 10_000_000
@@ -58,7 +59,7 @@ def _ordered_pairs(values: Values) -> Iterator[Problem]:
         pairs.append((PositiveTorque, low, high))
     for kind, lower, upper in pairs:
         small, large = values.read(kind, *lower), values.read(kind, *upper)
-        if small is not None and large is not None and small > large:
+        if None not in (small, large) and exceeds(small, large):
             yield Problem(
                 upper,
                 f"found '{values.text(*upper)}', allowed {lower[-1]} "
@@ -104,7 +105,7 @@ def _shutdown(values: Values) -> Iterator[Problem]:
     if step is None or duration is None:
         return
     found = f"found '{values.text(*path)}'"
-    if step > duration:
+    if exceeds(step, duration):
         limit = values.text("shutdown", "duration")
         yield Problem(path, f"{found}, allowed at most the duration '{limit}'")
     elif duration / step > _MOST_STEPS:

@@ -10,6 +10,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from coupling_design.case.document import Document
 from coupling_design.case.problem import Path, Problem
+from coupling_design.case.quantity import exceeds
 from coupling_design.case.stated import Stated
 
 
@@ -21,13 +22,7 @@ class Values:
 
     def raw(self, *path: str | int) -> Any:
         """Return what stands at a path, unchecked."""
-        value = self._document.data
-        for element in path:
-            try:
-                value = value[element]
-            except (LookupError, TypeError):
-                return None
-        return value
+        return self._document.raw(path)
 
     def read(self, kind: Any, *path: str | int) -> Any:
         """Return the value at a path if it is of that kind (a type of `kinds`)."""
@@ -38,8 +33,7 @@ class Values:
 
     def text(self, *path: str | int) -> str:
         """Return a value as written, without its source."""
-        texts = self._document.texts
-        return texts.get((*path, "value"), texts.get(path, ""))
+        return self._document.text(path)
 
     def count(self, *path: str | int) -> int:
         """Return how many entries a list has; 0 if it is none."""
@@ -53,7 +47,9 @@ def check_between(
     """Yield a problem if a value lies outside two others."""
     value = values.read(kind, *path)
     lower, upper = (values.read(kind, *limit) for limit in limits)
-    if None in (value, lower, upper) or lower <= value <= upper or lower > upper:
+    if None in (value, lower, upper) or exceeds(lower, upper):
+        return
+    if not exceeds(lower, value) and not exceeds(value, upper):
         return
     low, high = (values.text(*limit) for limit in limits)
     yield Problem(

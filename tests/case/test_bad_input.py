@@ -113,7 +113,7 @@ ONE_FAULT = {
         "radius: 50 mm",
         "radius: 50 furlong",
         "furlong",
-        ["found '50 furlong', unknown unit 'furlong'; write a length such as"],
+        ["found '50 furlong', unknown unit 'furlong'; write a length as"],
     ),
     "unreadable unit": (
         "radius: 50 mm",
@@ -302,7 +302,7 @@ ONE_FAULT = {
         "radius: 50 mm",
         "radius:\n      value: -50 mm\n      source: paper",
         "value: -50 mm",
-        ["driveline.connection.radius.value: found '-50 mm', allowed more than 0 mm"],
+        ["driveline.connection.radius: found '-50 mm', allowed more than 0 mm"],
     ),
     "unknown coupling type": (
         "type: rubber",
