@@ -1,0 +1,1 @@
+"""What happened? Renders and writes; computes nothing."""

@@ -1,0 +1,113 @@
+"""The present coupling, the chosen one beside it, or the one that came nearest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.console import RenderableType
+from rich.panel import Panel
+from rich.text import Text
+
+from coupling_design.case.case import Case
+from coupling_design.design.results import (
+    Baseline,
+    ChosenDesign,
+    DesignOutcome,
+    Performance,
+)
+from coupling_design.report.blocks import facts, panel, words
+from coupling_design.report.criteria import render_criteria
+from coupling_design.report.numbers import as_given
+from coupling_design.report.performances import (
+    Measured,
+    render_design,
+    render_quantities,
+)
+from coupling_design.report.steps import describe_conditioning
+from coupling_design.report.verdicts import describe_reduction
+
+
+def render_baseline(outcome: DesignOutcome) -> Panel:
+    """Return what the present coupling does."""
+    baseline = outcome.baseline
+    return panel(
+        "Present coupling",
+        (
+            Text(f"{baseline.coupling_type}, {words(baseline.connection)}"),
+            render_quantities([_present(baseline)], _bearings(outcome.case)),
+            facts(_trust(baseline)),
+        ),
+    )
+
+
+def render_chosen(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
+    """Return the chosen coupling beside the present one."""
+    baseline = outcome.baseline
+    digits = chosen.conditioning.digits
+    column = Measured("chosen", chosen.performance, chosen.rundown, digits)
+    reduction = describe_reduction(chosen, baseline.conditioning.digits)
+    return panel(
+        "Chosen coupling",
+        (
+            facts(_names(outcome.case, chosen)),
+            render_quantities([_present(baseline), column], _bearings(outcome.case)),
+            Text(f"Damage per run-down {reduction}.", style="bold"),
+            facts([("conditioning", describe_conditioning(chosen.conditioning))]),
+        ),
+        style="green",
+    )
+
+
+def render_nearest(outcome: DesignOutcome) -> Panel:
+    """Return that there is no design, and how near the nearest came."""
+    parts: list[RenderableType | None] = [
+        Text(
+            "No design meets the limits. The steps above say where each candidate "
+            "fails."
+        )
+    ]
+    if outcome.nearest is not None:
+        parts += _nearest(outcome.nearest)
+    parts.append(render_criteria("Its limits", outcome.nearest_criteria))
+    return panel("No design meets the limits", parts, style="red")
+
+
+def _nearest(nearest: Performance) -> Iterable[RenderableType]:
+    yield Text("Nearest to its limits came:")
+    yield render_design("nearest", nearest, None)
+
+
+def _present(baseline: Baseline) -> Measured:
+    digits = baseline.conditioning.digits
+    return Measured("present", baseline.performance, baseline.rundown, digits)
+
+
+def _bearings(case: Case) -> tuple[str, str]:
+    first, second = case.bearings
+    return first.name, second.name
+
+
+def _trust(baseline: Baseline) -> Iterable[tuple[str, str]]:
+    yield "conditioning", describe_conditioning(baseline.conditioning)
+    yield (
+        "time step",
+        f"{baseline.time_step:g} s; the largest stable one is "
+        f"{baseline.largest_stable_step:.3g} s",
+    )
+
+
+def _names(case: Case, chosen: ChosenDesign) -> Iterable[tuple[str, str]]:
+    yield "plan", words(chosen.plan)
+    yield "coupling type", chosen.coupling_type
+    for kind in case.coupling_types:
+        if kind.name == chosen.coupling_type:
+            low, high = (as_given(k, "N*m/rad") for k in kind.stiffness_range)
+            yield "", kind.description
+            yield (
+                "",
+                f"T_KN {as_given(kind.nominal_torque, 'N*m')} kN*m, T_Kmax "
+                f"{as_given(kind.maximum_torque, 'N*m')} kN*m, n_max "
+                f"{as_given(kind.maximum_speed, 'rad/s')} rpm, C_Tdyn {low} to {high} "
+                "MN*m/rad",
+            )
+    yield "connection", words(chosen.connection)

@@ -1,0 +1,202 @@
+"""The outcome as a JSON document: SI numbers under names that will not change."""
+
+from __future__ import annotations
+
+import json
+import math
+import operator
+import platform
+from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+from coupling_design import __version__
+from coupling_design.design.results import (
+    Alternative,
+    Baseline,
+    ChosenDesign,
+    Criterion,
+    DesignOutcome,
+    LoadReading,
+    Optimum,
+    Performance,
+    StepResult,
+)
+
+SCHEMA_VERSION = 1
+UNITS = {
+    "torsional_stiffness": "N*m/rad",
+    "key_gap": "m",
+    "natural_frequency": "Hz",
+    "damage": "-, Miner sum of one run-down, the bearing that suffers more",
+    "damages": "-, of bearing 1 and bearing 2",
+    "damage_e6": "1e-6, damage in the paper's unit",
+    "damage_reduction": "-, 1 less chosen over present damage",
+    "peak_transmission_force": "N",
+    "peak_combined_load": "N, of bearing 1 and bearing 2",
+    "permissible_transmission_force": "N",
+    "resonance_speed_rpm": "rpm",
+    "resonance_speed": "rad/s",
+    "resonance_swing": "N",
+    "rest_time": "s, null if the engine does not come to rest",
+    "revolutions": "-",
+    "final_speed": "rad/s",
+    "out_of_range_time": "s",
+    "time_step": "s",
+    "largest_stable_step": "s",
+    "margin": "-, distance to the limit over the limit, positive when it is kept",
+    "run_time_s": "s",
+}
+_LIBRARIES = ("casadi", "numpy", "scipy", "pydantic", "pint", "PyYAML", "rich")
+
+
+def build_document(outcome: DesignOutcome) -> dict[str, Any]:
+    """Return the outcome as plain values."""
+    case, chosen, strict = outcome.case, outcome.chosen, outcome.strict_reading
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "units": UNITS,
+        "case": {"name": case.name, "file": case.file, "sha256": case.sha256},
+        "software": _software(),
+        "reading": case.reading.value,
+        "baseline": _baseline(outcome.baseline),
+        "steps": [_step(result) for result in outcome.steps],
+        "chosen": None if chosen is None else _chosen(chosen),
+        "nearest": None if outcome.nearest is None else _performance(outcome.nearest),
+        "nearest_criteria": [_criterion(c) for c in outcome.nearest_criteria],
+        "strict_reading": None if strict is None else _reading(strict),
+        "assumptions": [asdict(value) for value in outcome.assumptions],
+        "run_time_s": outcome.run_time,
+    }
+
+
+def document_text(document: dict[str, Any]) -> str:
+    """Return a document as strict JSON; a number that is not finite is our defect."""
+    text = json.dumps(
+        document,
+        indent=2,
+        ensure_ascii=False,
+        allow_nan=False,
+        default=operator.index,  # NumPy's integers, which are no int
+    )
+    return f"{text}\n"
+
+
+def _software() -> dict[str, str | None]:
+    return {
+        "name": "coupling_design",
+        "version": __version__,
+        "python": platform.python_version(),
+        **{library.lower(): _version(library) for library in _LIBRARIES},
+        "platform": f"{platform.system()} {platform.machine()}",
+    }
+
+
+def _version(library: str) -> str | None:
+    try:
+        return version(library)
+    except PackageNotFoundError:
+        return None
+
+
+def _performance(performance: Performance) -> dict[str, Any]:
+    return {
+        "torsional_stiffness": float(performance.torsional_stiffness),
+        "key_gap": float(performance.key_gap),
+        "natural_frequency": float(performance.natural_frequency),
+        "damage": performance.damage,
+        "damage_e6": performance.damage * 1e6,
+        "damages": [float(damage) for damage in performance.damages],
+        "peak_transmission_force": float(performance.peak_transmission_force),
+        "peak_combined_load": [float(f) for f in performance.peak_combined_load],
+    }
+
+
+def _baseline(baseline: Baseline) -> dict[str, Any]:
+    return {
+        "coupling_type": baseline.coupling_type,
+        "connection": baseline.connection,
+        **_performance(baseline.performance),
+        "resonance_speed_rpm": baseline.rundown.resonance_speed * 30 / math.pi,
+        "rundown": asdict(baseline.rundown),
+        "conditioning": asdict(baseline.conditioning),
+        "time_step": baseline.time_step,
+        "largest_stable_step": baseline.largest_stable_step,
+    }
+
+
+def _chosen(chosen: ChosenDesign) -> dict[str, Any]:
+    return {
+        "plan": chosen.plan.value,
+        "coupling_type": chosen.coupling_type,
+        "connection": chosen.connection,
+        **_performance(chosen.performance),
+        "damage_reduction": chosen.damage_reduction,
+        "rundown": asdict(chosen.rundown),
+        "conditioning": asdict(chosen.conditioning),
+    }
+
+
+def _criterion(criterion: Criterion) -> dict[str, Any]:
+    return {
+        "name": criterion.name,
+        "value": float(criterion.value),
+        "limit": float(criterion.limit),
+        "sense": criterion.sense.value,
+        "unit": criterion.unit,
+        "passes": bool(criterion.passes),
+        "margin": float(criterion.margin),
+        "source": criterion.source,
+    }
+
+
+def _step(result: StepResult) -> dict[str, Any]:
+    return {
+        "step": result.step,
+        "title": result.title,
+        "question": result.question,
+        "decision": result.decision.value,
+        "criteria": [_criterion(criterion) for criterion in result.criteria],
+        "optimum": None if result.optimum is None else _optimum(result.optimum),
+        "alternatives": [_alternative(each) for each in result.alternatives],
+        "findings": list(result.findings),
+        "caveats": list(result.caveats),
+    }
+
+
+def _optimum(optimum: Optimum) -> dict[str, Any]:
+    conditioning = optimum.conditioning
+    return {
+        "objective": optimum.objective,
+        "coupling_type": optimum.coupling_type,
+        "connection": optimum.connection,
+        **_performance(optimum.performance),
+        "method": optimum.method,
+        "solver_status": optimum.solver_status,
+        "starts": optimum.starts,
+        "starts_agreeing": optimum.starts_agreeing,
+        "scan_points": optimum.scan_points,
+        "rollouts": optimum.rollouts,
+        "kkt_residual": optimum.kkt_residual,
+        "active_constraints": list(optimum.active_constraints),
+        "conditioning": None if conditioning is None else asdict(conditioning),
+    }
+
+
+def _alternative(alternative: Alternative) -> dict[str, Any]:
+    performance = alternative.performance
+    return {
+        "name": alternative.name,
+        "passes": bool(alternative.passes),
+        "performance": None if performance is None else _performance(performance),
+        "remark": alternative.remark,
+    }
+
+
+def _reading(reading: LoadReading) -> dict[str, Any]:
+    return {
+        "reading": reading.reading,
+        "passes": bool(reading.passes),
+        "permissible_transmission_force": reading.permissible_transmission_force,
+        "criteria": [_criterion(criterion) for criterion in reading.criteria],
+    }

@@ -1,0 +1,82 @@
+"""A panel per step of the flow: question, what was examined, limits, caveats."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.console import Group
+from rich.panel import Panel
+from rich.text import Text
+
+from coupling_design.design.results import Conditioning, Decision, Optimum, StepResult
+from coupling_design.report.blocks import bullets, facts, panel, titled, words
+from coupling_design.report.criteria import render_criteria
+from coupling_design.report.numbers import change, damage_e6
+from coupling_design.report.performances import render_alternatives, render_design
+
+_BORDERS = {Decision.PASS: "green", Decision.FAIL: "red", Decision.SKIPPED: "none"}
+
+
+def render_step(result: StepResult) -> Panel:
+    """Return what a step asked, examined and decided."""
+    return panel(
+        f"Step {result.step}: {result.title} - {result.decision.upper()}",
+        (
+            Text(result.question, style="italic"),
+            bullets("Examined", result.findings),
+            render_alternatives(result.alternatives),
+            None if result.optimum is None else render_optimum(result.optimum),
+            render_criteria("Limits", result.criteria),
+            bullets("Caveats", result.caveats),
+        ),
+        style=_BORDERS[result.decision],
+    )
+
+
+def render_optimum(optimum: Optimum) -> Group:
+    """Return where an optimisation ended and how far that can be trusted."""
+    digits = None if optimum.conditioning is None else optimum.conditioning.digits
+    name = f"{optimum.coupling_type}, {words(optimum.connection)}"
+    return titled(
+        f"Optimum: least {optimum.objective}",
+        Group(
+            render_design(name, optimum.performance, digits),
+            Text(),
+            facts(_evidence(optimum, digits)),
+        ),
+    )
+
+
+def describe_conditioning(conditioning: Conditioning) -> str:
+    """Return how far damage and peak move, and how many digits that leaves."""
+    by_start = change(conditioning.damage_change_by_start)
+    by_step = change(conditioning.damage_change_by_step)
+    peak = change(conditioning.peak_change_by_step)
+    return (
+        f"{_digits(conditioning.digits)}; the damage moves by {by_start} (relative) "
+        f"when the start is shifted by 1e-12 rad and by {by_step} when the time step "
+        f"is halved, the peak force then by {peak}"
+    )
+
+
+def _digits(digits: int) -> str:
+    return f"{digits} digit{'' if digits == 1 else 's'} of the damage stand"
+
+
+def _evidence(optimum: Optimum, digits: int | None) -> Iterable[tuple[str, str]]:
+    yield "paper's unit", f"D x 1e6 = {damage_e6(optimum.performance.damage, digits)}"
+    if optimum.method == "scan":
+        yield "method", "best verified point of the scan; Ipopt gave nothing better"
+    else:
+        yield "method", "Ipopt" if optimum.method == "ipopt" else optimum.method
+    yield "solver status", optimum.solver_status
+    yield "starts agreed", f"{optimum.starts_agreeing} of {optimum.starts}"
+    yield "effort", f"{optimum.scan_points} scan points, {optimum.rollouts} rollouts"
+    residual = optimum.kkt_residual
+    yield "KKT residual", "not available" if residual is None else change(residual)[1:]
+    held = "; ".join(optimum.active_constraints)
+    yield "held by", held or "no constraint and no bound: an inner minimum"
+    if optimum.conditioning is None:
+        yield "conditioning", "not examined for this point"
+    else:
+        yield "conditioning", describe_conditioning(optimum.conditioning)

@@ -1,0 +1,59 @@
+"""The chosen design against every limit in one table, and the strict reading."""
+
+from __future__ import annotations
+
+from rich.panel import Panel
+from rich.text import Text
+
+from coupling_design.design.results import ChosenDesign, Criterion, DesignOutcome
+from coupling_design.design.results import LoadReading as StrictReading
+from coupling_design.report.blocks import VERDICT_STYLES, panel, words
+from coupling_design.report.criteria import render_criteria
+from coupling_design.report.numbers import quantity
+from coupling_design.report.verdicts import describe_strict
+
+
+def render_summary(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
+    """Return every limit of the chosen design: value, limit, margin, verdict."""
+    return panel(
+        "Summary: the chosen coupling against its limits",
+        (
+            render_criteria(
+                f"Load limit read as {words(outcome.case.reading)}",
+                summary_criteria(outcome, chosen),
+            ),
+        ),
+        style="green",
+    )
+
+
+def summary_criteria(
+    outcome: DesignOutcome, chosen: ChosenDesign
+) -> tuple[Criterion, ...]:
+    """Return the limits of the chosen type (Step 1) and of its point (Step 5)."""
+    own = f"{chosen.coupling_type}: "
+    carries, *_, final = outcome.steps
+    of_type = (c for c in carries.criteria if c.name.startswith(own))
+    return (*of_type, *final.criteria)
+
+
+def render_strict_reading(outcome: DesignOutcome, strict: StrictReading) -> Panel:
+    """Return the design's verdict when the load limit is read strictly."""
+    style = "green" if strict.passes else "red"
+    shown = outcome.chosen.performance if outcome.chosen else outcome.nearest
+    word = "PASS" if strict.passes else "FAIL"
+    parts = [Text(describe_strict(strict), style=VERDICT_STYLES[word])]
+    if shown is not None:
+        whose = "chosen" if outcome.chosen else "nearest"
+        force = quantity(shown.peak_transmission_force, "N")
+        parts.append(
+            Text(
+                f"The limits above are read as {words(outcome.case.reading)}. The "
+                f"{whose} design's F_c reaches {force} kN; at the bearings that makes:"
+            )
+        )
+    return panel(
+        f"Strict reading of the load limit: {word}",
+        (*parts, render_criteria("Limits", strict.criteria)),
+        style=style,
+    )

@@ -1,0 +1,46 @@
+"""How far a report may be relied on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.panel import Panel
+
+from coupling_design.design.results import DesignOutcome, Rundown
+from coupling_design.report.blocks import bullets, panel
+from coupling_design.report.numbers import significant
+
+_ALWAYS = (
+    "Damage is the Miner sum of one run-down as described by the case: multiply by the "
+    "number of stops. Starts, load steps, misfire, short circuit and faulty "
+    "synchronisation are not in it.",
+    "Three inertias, one coupling, one connection; the gap is smoothed by tanh. No "
+    "misalignment, unbalance, bending or gas torque of a fired engine.",
+    "Life after ISO 281:2007 with a_ISO for the load of each moment; bearing loads by "
+    "statics of the overhung shaft.",
+    "Vibratory torque T_KW and power loss P_KV of the coupling are not checked.",
+    "The result is as good as the case file. It replaces neither the coupling maker's "
+    "approval nor a torsional vibration calculation of the classification society.",
+)
+
+
+def render_validity(outcome: DesignOutcome) -> Panel:
+    """Return the limits of validity, those of this run first."""
+    own = list(_of_rundown("Present", outcome.baseline.rundown))
+    if outcome.chosen is not None:
+        own += _of_rundown("Chosen", outcome.chosen.rundown)
+    return panel("Limits of validity", [bullets("Read with this", [*own, *_ALWAYS])])
+
+
+def _of_rundown(name: str, rundown: Rundown) -> Iterable[str]:
+    if rundown.out_of_range_time > 0:
+        seconds = significant(rundown.out_of_range_time, 3)
+        yield (
+            f"{name} coupling: for {seconds} s the viscosity ratio is below the range "
+            "of ISO 281 (0.1) and taken as 0.1."
+        )
+    if rundown.rest_time is None:
+        yield (
+            f"{name} coupling: the engine does not come to rest before the run-down "
+            "ends; what follows is not in the damage."
+        )

@@ -1,0 +1,61 @@
+"""The answer of a run in a few sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.console import Group
+from rich.text import Text
+
+from coupling_design.design.results import ChosenDesign, DesignOutcome, LoadReading
+from coupling_design.report.blocks import VERDICT_STYLES, words
+from coupling_design.report.numbers import quantity, significant
+
+_DIGITS_OF_REDUCTION = 3
+
+
+def render_verdict(outcome: DesignOutcome) -> Group:
+    """Return whether there is a design, what it saves, and the strict reading."""
+    return Group(*_sentences(outcome))
+
+
+def describe_reduction(chosen: ChosenDesign, present_digits: int) -> str:
+    """Return by how much the damage falls or rises, with the digits that stand."""
+    digits = min(_DIGITS_OF_REDUCTION, chosen.conditioning.digits, present_digits)
+    change = f"{significant(abs(chosen.damage_reduction) * 100, digits)} %"
+    return (
+        f"falls by {change}" if chosen.damage_reduction >= 0 else f"rises by {change}"
+    )
+
+
+def describe_strict(strict: LoadReading) -> str:
+    """Return the verdict of the strict reading in one sentence."""
+    limit = quantity(strict.permissible_transmission_force, "N")
+    verdict = "PASS" if strict.passes else "FAIL"
+    return (
+        f"Load limit read strictly ({words(strict.reading)}): {verdict}; "
+        f"F_c may then reach {limit} kN."
+    )
+
+
+def _sentences(outcome: DesignOutcome) -> Iterable[Text]:
+    chosen = outcome.chosen
+    if chosen is None:
+        yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
+    else:
+        yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])
+        reduction = describe_reduction(chosen, outcome.baseline.conditioning.digits)
+        yield Text(f"Damage per run-down {reduction} against the present coupling.")
+    if outcome.strict_reading is not None and chosen is not None:
+        strict = outcome.strict_reading
+        style = "none" if strict.passes else VERDICT_STYLES["FAIL"]
+        yield Text(describe_strict(strict), style=style)
+
+
+def _design(chosen: ChosenDesign) -> str:
+    stiffness = quantity(chosen.performance.torsional_stiffness, "N*m/rad")
+    gap = quantity(chosen.performance.key_gap, "m")
+    return (
+        f"Take {chosen.coupling_type} ({words(chosen.plan)} plan), {stiffness} "
+        f"MN*m/rad, {words(chosen.connection)}, gap {gap} mm."
+    )

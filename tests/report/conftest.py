@@ -1,0 +1,177 @@
+"""A hand-made outcome of five steps, and one that ends without a design."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from coupling_design.case import load_case
+from coupling_design.case.case import Plan
+from coupling_design.design.results import (
+    Alternative,
+    Baseline,
+    ChosenDesign,
+    Conditioning,
+    Criterion,
+    Decision,
+    DesignOutcome,
+    LoadReading,
+    Optimum,
+    Performance,
+    Rundown,
+    Sense,
+    StepResult,
+)
+
+CASE = Path(__file__).parents[2] / "cases" / "16v280.yaml"
+PRESENT = Performance(
+    541e3, 0.28e-3, 9.963, (4.0512345e-9, 7.5e-11), 70173.0, (97361.0, 28981.0)
+)
+STIFF = Performance(
+    192.80e6, 0.0, 188.563, (2.5621e-9, 6.62e-11), 33926.07, (54301.0, 21043.0)
+)
+FIRM = Conditioning(1.2e-10, -2.1e-5, 3.1e-5, 4)
+SHAKY = Conditioning(4.4e-3, 7.1e-3, 2e-2, 2)
+RUNDOWN = Rundown(13.14, 61870.0, 11.96, 45.91, 0.08, 0.325)
+CARRIES = Criterion(
+    "diaphragm: rated torque x service factor", 45.5e3, 63e3, Sense.AT_MOST,
+    "N*m", True, 0.27778, "nominal torque T_KN of the type",
+)  # fmt: skip
+TOO_SMALL = Criterion(
+    "steel-spring: peak torque", 75.001e3, 75e3, Sense.AT_MOST,
+    "N*m", False, -1.3333e-5, "maximum torque T_Kmax of the type",
+)  # fmt: skip
+FREQUENCY = Criterion(
+    "natural frequency", 188.563, 188.5618, Sense.AT_LEAST,
+    "Hz", True, 6.4e-6, "sqrt 2 times the highest excitation (paper, step 4)",
+)  # fmt: skip
+FORCE = Criterion(
+    "peak transmission force", 33926.07, 36120.18, Sense.AT_MOST,
+    "N", True, 0.060745, "F_min less the static load (eq. 7)",
+)  # fmt: skip
+STRICT = Criterion(
+    "peak combined load, Bearing 1", 54301.0, 48838.56, Sense.AT_MOST,
+    "N", False, -0.11185, "F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
+)  # fmt: skip
+TOO_HIGH = replace(FORCE, value=46690.0, passes=False, margin=-0.29263)
+OPTIMUM = Optimum(
+    objective="damage",
+    performance=STIFF,
+    connection="tight_fit",
+    coupling_type="diaphragm",
+    method="ipopt",
+    solver_status="Solve_Succeeded",
+    starts=3,
+    starts_agreeing=2,
+    scan_points=32,
+    rollouts=87,
+    kkt_residual=1.3e-8,
+    active_constraints=("natural frequency",),
+    conditioning=FIRM,
+)
+SCANNED = replace(
+    OPTIMUM,
+    performance=replace(PRESENT, key_gap=0.05e-3),
+    method="scan",
+    solver_status="Maximum_Iterations_Exceeded",
+    kkt_residual=None,
+    active_constraints=(),
+    conditioning=None,
+)
+STEPS = (
+    StepResult(
+        1,
+        "Coupling types",
+        "Which types carry the torque?",
+        Decision.PASS,
+        criteria=(CARRIES, TOO_SMALL),
+        alternatives=(
+            Alternative("diaphragm", True, None, "100 to 400 MN*m/rad"),
+            Alternative("steel-spring [bold]", False, None, "too small"),
+        ),
+        findings=("1 of 2 types carries the torque.",),
+        caveats=("Vibratory torque T_KW is not checked.",),
+    ),
+    StepResult(2, "Vibration isolation", "Is it isolated?", Decision.PASS),
+    StepResult(
+        3,
+        "Bearing load",
+        "Which stiffness does the least damage while the peak load stays below its "
+        "limit, at the present gap?",
+        Decision.FAIL,
+        criteria=(TOO_HIGH,),
+        alternatives=(
+            Alternative(
+                "steel-spring: smallest peak at the present gap",
+                False,
+                PRESENT,
+                "1.293 of the limit, from 32 scanned stiffnesses",
+            ),
+        ),
+        optimum=SCANNED,
+    ),
+    StepResult(
+        4,
+        "High-stiffness plan",
+        "How stiff must it be?",
+        Decision.PASS,
+        criteria=(FREQUENCY, FORCE),
+        optimum=OPTIMUM,
+    ),
+    StepResult(
+        5,
+        "Key gap",
+        "What is the smallest gap?",
+        Decision.PASS,
+        criteria=(FREQUENCY, FORCE),
+        optimum=OPTIMUM,
+    ),
+)
+
+
+@pytest.fixture(scope="session")
+def case():
+    return replace(load_case(CASE), file="cases/16v280.yaml")
+
+
+@pytest.fixture(scope="session")
+def outcome(case):
+    return DesignOutcome(
+        case=case,
+        baseline=Baseline(
+            PRESENT, "key", "steel-spring", RUNDOWN, SHAKY, 1e-4, 4.14e-4
+        ),
+        steps=STEPS,
+        chosen=ChosenDesign(
+            plan=Plan.HIGH_STIFFNESS,
+            coupling_type="diaphragm",
+            connection="tight_fit",
+            performance=STIFF,
+            rundown=replace(RUNDOWN, rest_time=None),
+            conditioning=FIRM,
+            damage_reduction=1 - 2.5621e-9 / 4.0512345e-9,
+        ),
+        strict_reading=LoadReading("combined_load", (STRICT,), False, 28896.14),
+        nearest=None,
+        nearest_criteria=(),
+        assumptions=case.assumptions,
+        run_time=43.27,
+    )
+
+
+@pytest.fixture(scope="session")
+def no_design(outcome):
+    skipped = replace(
+        STEPS[4],
+        decision=Decision.SKIPPED,
+        criteria=(),
+        optimum=None,
+        findings=("No coupling meets the limits: there is no gap to reduce.",),
+    )
+    return replace(
+        outcome,
+        steps=(*STEPS[:3], replace(STEPS[3], decision=Decision.FAIL), skipped),
+        chosen=None,
+        nearest=PRESENT,
+        nearest_criteria=(TOO_HIGH,),
+    )
