@@ -63,11 +63,11 @@ def validate(document: Document) -> CaseSection:
 
 def _read(path: Path, file: str) -> bytes:
     try:
+        if path.is_dir():
+            raise CaseError([f"{file}: is a directory; name the case file in it"])
         return path.read_bytes()
     except FileNotFoundError:
         raise CaseError([f"{file}: there is no such file; check the path"]) from None
-    except IsADirectoryError:
-        raise CaseError([f"{file}: is a directory; name the case file in it"]) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise CaseError([f"{file}: cannot be read: {reason}"]) from None
