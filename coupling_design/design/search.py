@@ -33,7 +33,7 @@ class Effort:
     stiffnesses: int = 32
     stiffnesses_with_gap: int = 11
     gaps: int = 4
-    starts: int = 2
+    starts: int = 3
 
 
 @dataclass
@@ -67,11 +67,12 @@ def search(
     bench: Workbench,
     program: DesignProblem,
     scanned: tuple[Performance, ...] | None = None,
+    starts: int | None = None,
 ) -> Optimum:
     """Return the best verified point of a program; `scanned` saves its scan."""
     if scanned is None:
         scanned = look(bench, program)
-    return optimise(program, scanned, bench.effort.starts)
+    return optimise(program, scanned, starts or bench.effort.starts)
 
 
 def look(bench: Workbench, program: DesignProblem) -> tuple[Performance, ...]:

@@ -22,7 +22,10 @@ from coupling_design.design.scan import best_first, local_minima
 # steps costs more than the iterations it would save.
 _IPOPT: dict[str, Any] = {
     "hessian_approximation": "limited-memory",
-    "mu_strategy": "adaptive",
+    # Starts are valley floors of a scan: a barrier this weak polishes them in a few
+    # steps, where an adaptive one first walks away, sometimes to another valley.
+    "mu_strategy": "monotone",
+    "mu_init": 1e-4,
     # A damage is known to about five digits: more in the multipliers is not in it.
     "tol": 1e-5,
     "acceptable_tol": 1e-3,

@@ -6,7 +6,12 @@ from dataclasses import dataclass, replace
 
 from coupling_design.case.case import ConnectionOption
 from coupling_design.design.candidate import Candidate
-from coupling_design.design.problem import DesignSpace, Objective
+from coupling_design.design.parsimony import (
+    WORTH_A_CHANGE,
+    keep_lowest_stiffness,
+    kept_finding,
+)
+from coupling_design.design.problem import DesignProblem, DesignSpace, Objective
 from coupling_design.design.results import (
     Alternative,
     Decision,
@@ -14,6 +19,7 @@ from coupling_design.design.results import (
     StepResult,
 )
 from coupling_design.design.search import (
+    Workbench,
     out_of_reach,
     problem,
     search,
@@ -31,8 +37,8 @@ QUESTION = (
     "What is the smallest gap the connection allows with every limit kept, and which "
     "stiffness and gap together do the least damage?"
 )
-# A connection that does this much less damage than the tightest is worth saying.
-_WORTH_SAYING = 1e-3
+# A gap within this of the smallest, relative, is the smallest.
+_SAME_GAP = 1e-3
 
 
 def minimise_key_gap(state: FlowState) -> FlowState:
@@ -48,11 +54,18 @@ def minimise_key_gap(state: FlowState) -> FlowState:
                 findings=("No coupling meets the limits: there is no gap to reduce.",),
             )
         )
-    options = options_of(state.case, solution.allowed.coupling_type)
-    trials = [_examine(state, solution, option) for option in options]
+    # The tightest first: it is the one to be looked at closely.
+    options = reversed(options_of(state.case, solution.allowed.coupling_type))
+    trials: list[_Trial] = []
+    for option in options:
+        found = any(trial.alternative.passes for trial in trials)
+        starts = 1 if found else state.bench.effort.starts
+        trials.append(_examine(state, solution, option, starts))
     passing = [trial for trial in trials if trial.alternative.passes]
-    chosen = _tightest(solution, passing)
-    return state.after(_result(chosen, trials, passing), solution=chosen)
+    tightest = _tightest(solution, passing)
+    chosen = keep_lowest_stiffness(state, solution, tightest)
+    result = _result(chosen, tightest, trials, passing)
+    return state.after(result, solution=chosen)
 
 
 def _tightest(solution: Solution, passing: list[_Trial]) -> Solution:
@@ -60,7 +73,7 @@ def _tightest(solution: Solution, passing: list[_Trial]) -> Solution:
 
     The earlier step's own stands where none was found again.
     """
-    for trial in reversed(passing):
+    for trial in passing:
         if trial.optimum is not None:
             return replace(solution, candidate=trial.candidate, optimum=trial.optimum)
     return solution
@@ -75,7 +88,9 @@ class _Trial:
     optimum: Optimum | None
 
 
-def _examine(state: FlowState, solution: Solution, option: ConnectionOption) -> _Trial:
+def _examine(
+    state: FlowState, solution: Solution, option: ConnectionOption, starts: int
+) -> _Trial:
     bench = state.bench
     candidate = Candidate(solution.allowed.coupling_type, option)
     largest = gap_nearest_present(state.case, option)
@@ -92,7 +107,7 @@ def _examine(state: FlowState, solution: Solution, option: ConnectionOption) -> 
             candidate, Alternative(candidate.label, False, None, unreachable[1]), None
         )
     bench.progress(f"least damage of {candidate.label}, stiffness and gap")
-    optimum = search(bench, program)
+    optimum = _at_smallest_gap(bench, program, search(bench, program, starts=starts))
     performance = optimum.performance
     return _Trial(
         candidate,
@@ -106,20 +121,34 @@ def _examine(state: FlowState, solution: Solution, option: ConnectionOption) -> 
     )
 
 
+def _at_smallest_gap(
+    bench: Workbench, program: DesignProblem, joint: Optimum
+) -> Optimum:
+    """Return the joint optimum, or the one at the smallest gap if that passes too.
+
+    The method asks for the smallest gap, which need not be the least damage.
+    """
+    smallest = program.space.gap[0]
+    if joint.performance.key_gap <= smallest * (1 + _SAME_GAP):
+        return joint
+    tight = replace(program, space=replace(program.space, gap=(smallest, smallest)))
+    optimum = search(bench, tight, starts=1)
+    return optimum if tight.is_feasible(optimum.performance) else joint
+
+
 def _result(
-    chosen: Solution, trials: list[_Trial], passing: list[_Trial]
+    chosen: Solution,
+    tightest: Solution,
+    trials: list[_Trial],
+    passing: list[_Trial],
 ) -> StepResult:
-    performance = chosen.optimum.performance
-    least = min(
-        (t.optimum for t in passing if t.optimum is not None),
-        key=lambda optimum: optimum.performance.damage,
-    )
-    caveats = []
-    if least.performance.damage < performance.damage * (1 - _WORTH_SAYING):
-        caveats.append(
-            f"The smallest gap is not the least damage: {least.connection} does "
-            f"{1 - least.performance.damage / performance.damage:.1%} less."
-        )
+    performance, optimum = chosen.optimum.performance, tightest.optimum
+    findings = [
+        f"{len(passing)} of {len(trials)} connections keep every limit; the tightest "
+        f"is {chosen.candidate.label}."
+    ]
+    if chosen is not tightest:
+        findings.append(kept_finding(chosen, tightest))
     return StepResult(
         step=5,
         title=TITLE,
@@ -127,10 +156,22 @@ def _result(
         decision=Decision.PASS,
         criteria=tuple(c.criterion(performance) for c in chosen.constraints),
         alternatives=tuple(trial.alternative for trial in trials),
-        findings=(
-            f"{len(passing)} of {len(trials)} connections keep every limit; the "
-            f"tightest is {chosen.candidate.label}.",
-        ),
-        caveats=tuple(caveats),
-        optimum=chosen.optimum,
+        findings=tuple(findings),
+        caveats=_caveats(chosen, passing),
+        optimum=optimum,
+    )
+
+
+def _caveats(chosen: Solution, passing: list[_Trial]) -> tuple[str, ...]:
+    damage = chosen.optimum.performance.damage
+    optima = [trial.optimum for trial in passing if trial.optimum is not None]
+    if not optima:
+        return ()
+    least = min(optima, key=lambda optimum: optimum.performance.damage)
+    less = 1 - least.performance.damage / damage
+    if less <= WORTH_A_CHANGE or least.connection == chosen.optimum.connection:
+        return ()
+    return (
+        f"The smallest gap is not the least damage: {least.connection} does "
+        f"{less:.1%} less.",
     )
