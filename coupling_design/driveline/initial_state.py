@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from coupling_design.arithmetic import Scalar, sign
+from coupling_design.arithmetic import Scalar, maximum, sign
 from coupling_design.driveline.excitation import resistance_torque
 from coupling_design.driveline.key_gap import (
     contact_deflection,
@@ -22,6 +22,10 @@ from coupling_design.driveline.parameters import Driveline, KeyedConnection
 # Newton on the smoothed contact, from the sharp contact's solution: the distance
 # squares each time, so this many reach rounding from anywhere on the flank.
 _NEWTON_STEPS = 8
+
+# The smoothed contact is nowhere less steep on the flank, and flat in the middle of
+# the gap, where a key that carries nothing stays.
+_LEAST_SLOPE = 0.5
 
 
 def quasi_steady_state(driveline: Driveline, initial_speed: float) -> Scalar:
@@ -51,5 +55,6 @@ def _key_twist(torque: Scalar, connection: KeyedConnection) -> Scalar:
     twist = pressed + half_gap_angle(connection) * sign(torque)
     for _ in range(_NEWTON_STEPS):
         error = contact_deflection(twist, connection) - pressed
-        twist = twist - error / contact_slope(twist, connection)
+        slope = maximum(contact_slope(twist, connection), _LEAST_SLOPE)
+        twist = twist - error / slope
     return twist
