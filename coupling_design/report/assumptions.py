@@ -26,7 +26,8 @@ def render_assumptions(case: Case, assumptions: Sequence[SourcedValue]) -> Panel
     for section, values in groupby(assumptions, key=_section):
         parts.append(Text(_heading(case, section), style="bold"))
         parts.append(_rows(values, widths[:-1]))
-    title = f"Rests on {len(assumptions)} assumed, fitted or invented values"
+    plural = "" if len(assumptions) == 1 else "s"
+    title = f"Rests on {len(assumptions)} assumed, fitted or invented value{plural}"
     return panel(title, [Text(_INTRODUCTION), Group(*parts)])
 
 
@@ -53,6 +54,8 @@ def _section(value: SourcedValue) -> str:
 
 def _heading(case: Case, section: str) -> str:
     """Return a section's path, with the name of the coupling type it belongs to."""
+    if not section:
+        return "top level"
     for index, coupling_type in enumerate(case.coupling_types):
         if section.startswith(f"coupling_types[{index}]"):
             return f"{section} ({coupling_type.name})"

@@ -90,6 +90,13 @@ def test_lists_every_assumption_whole(outcome, width):
     assert "coupling_types[2].damping (diaphragm)" in rests
 
 
+def test_an_assumption_at_the_top_of_the_file(outcome):
+    value = replace(outcome.assumptions[0], path="reading", text="combined_load")
+    text = plain_text(render_outcome(replace(outcome, assumptions=(value,))))
+    assert "top level reading combined_load fitted" in flat(text)
+    assert "Rests on 1 assumed, fitted or invented value " in flat(text)
+
+
 def test_text_of_the_case_is_no_markup(report):
     assert "steel-spring [bold]" in report
 
