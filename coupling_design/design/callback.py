@@ -7,7 +7,8 @@ from typing import Any
 
 import casadi as ca
 
-from coupling_design.design.evaluation import TOTALS, Evaluator
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.joint import TOTALS
 
 
 class RolloutCallback(ca.Callback):

@@ -1,52 +1,34 @@
-"""What one design point does: the one place where driveline and bearings meet.
+"""What one design point does, and how that changes with stiffness and gap.
 
-A point is (torsional stiffness [N m/rad], key gap [m]). One rollout carries the
-driveline's state, both bearings' Miner sums and the running peaks through every step,
-so memory does not grow with the number of steps and nothing is smoothed.
+A point is (torsional stiffness [N m/rad], key gap [m]).
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray, Scalar
-from coupling_design.bearing.damage import damage_increment
-from coupling_design.bearing.loads import (
-    combined_load,
-    rotational_loads,
-    static_loads,
-)
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
+from coupling_design.design.joint import TOTALS, joint_start, joint_step
 from coupling_design.design.results import Performance
-from coupling_design.driveline.dynamics import Motion, motion, state_names
-from coupling_design.driveline.initial_state import quasi_steady_state
 from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
 from coupling_design.errors import SimulationError
 from coupling_design.rollout.march import march
-from coupling_design.rollout.runge_kutta import rk4_step
+from coupling_design.rollout.marcher import Marcher, virtual_machine_marcher
 from coupling_design.rollout.sensitivities import (
     join_sensitivities,
     with_sensitivities,
 )
 
-# What a rollout adds up, in the order of its state's last entries.
-TOTALS = (
-    "damage_1",
-    "damage_2",
-    "peak_transmission_force",
-    "peak_combined_load_1",
-    "peak_combined_load_2",
-)
-
-_THREADS = 2
+# A solver asks about a point at most a few times in a row.
+_REMEMBERED = 64
 
 
 class Evaluator:
@@ -81,26 +63,27 @@ class Evaluator:
         `start_offset` [rad] turns the crank before the start, to see how far a result
         depends on it. Raises SimulationError where the rollout leaves finite numbers.
         """
-        point = ca.DM([torsional_stiffness, key_gap])
-        start = self._start(point)
-        start[0] += start_offset
-        self.rollouts += 1
-        end = np.asarray(self._march(start, point)).ravel()
-        totals = end[-len(TOTALS) :]
-        self._check_finite(totals, torsional_stiffness, key_gap)
-        return self.read(torsional_stiffness, key_gap, totals.tolist())
+        return self.performances([(torsional_stiffness, key_gap)], start_offset)[0]
+
+    def performances(
+        self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
+    ) -> tuple[Performance, ...]:
+        """Return the performances at many points, in their order."""
+        columns = np.asarray(points, dtype=np.float64).T
+        starts = np.hstack([np.asarray(self._start(point)[0]) for point in columns.T])
+        starts[0] += start_offset
+        self.rollouts += len(points)
+        ends = self._march(starts, columns)[-len(TOTALS) :]
+        for point, totals in zip(points, ends.T, strict=True):
+            self._check_finite(totals, *point)
+        return tuple(
+            self.read(*point, totals.tolist())
+            for point, totals in zip(points, ends.T, strict=True)
+        )
 
     def outline(self, torsional_stiffness: float, key_gap: float = 0.0) -> Performance:
         """Return a performance that is known without a rollout, its loads left zero."""
         return self.read(torsional_stiffness, key_gap, [0.0] * len(TOTALS))
-
-    def performances(
-        self, points: Sequence[tuple[float, float]]
-    ) -> tuple[Performance, ...]:
-        """Return the performances at many points, in their order."""
-        _ = self._march, self._start  # built once, before the threads ask for them
-        with ThreadPoolExecutor(_THREADS) as pool:
-            return tuple(pool.map(lambda point: self.performance(*point), points))
 
     def totals_and_jacobian(
         self, torsional_stiffness: float, key_gap: float
@@ -110,12 +93,12 @@ class Evaluator:
         The last rollouts are kept, so that a solver's separate questions about
         objective, constraints and their gradients cost one rollout.
         """
-        key = (torsional_stiffness, key_gap)
-        if key not in self._known:
-            if len(self._known) > 64:
+        point = (torsional_stiffness, key_gap)
+        if point not in self._known:
+            if len(self._known) >= _REMEMBERED:
                 self._known.clear()
-            self._known[key] = self._roll_with_jacobian(*key)
-        return self._known[key]
+            self._known[point] = self._roll_with_jacobian(point)
+        return self._known[point]
 
     def read(
         self, torsional_stiffness: Scalar, key_gap: Scalar, totals: Scalar
@@ -130,16 +113,26 @@ class Evaluator:
             peak_combined_load=(totals[3], totals[4]),
         )
 
+    @cached_property
+    def refined(self) -> Evaluator:
+        """The same rollouts with half the time step."""
+        return Evaluator(self.case, self.candidate, 2 * self.refinement)
+
+    @property
+    def engine(self) -> str:
+        """What does the rollouts, in words."""
+        return self._march.engine
+
     def _roll_with_jacobian(
-        self, torsional_stiffness: float, key_gap: float
+        self, point: tuple[float, float]
     ) -> tuple[FloatArray, FloatArray]:
-        point = ca.DM([torsional_stiffness, key_gap])
-        start = join_sensitivities(self._start(point), self._start_jacobian(point))
+        start = np.asarray(join_sensitivities(*self._start(ca.DM(point))))
         self.rollouts += 1
-        end = np.asarray(self._march_with_sensitivities(start, point))
-        columns = end.reshape(3, -1)[:, -len(TOTALS) :]
-        self._check_finite(columns, torsional_stiffness, key_gap)
-        return columns[0], columns[1:].T
+        column = np.asarray(point, dtype=np.float64)[:, np.newaxis]
+        end = self._march_with_sensitivities(start, column)
+        rows = end.reshape(1 + len(point), -1)[:, -len(TOTALS) :]
+        self._check_finite(rows, *point)
+        return rows[0], rows[1:].T
 
     def _check_finite(
         self, values: FloatArray, torsional_stiffness: float, key_gap: float
@@ -151,7 +144,7 @@ class Evaluator:
 
     def _describe_divergence(self, torsional_stiffness: float, key_gap: float) -> str:
         point = ca.DM([torsional_stiffness, key_gap])
-        state, steps, chunk = self._start(point), 0, max(self._n_steps // 1000, 1)
+        state, steps, chunk = self._start(point)[0], 0, max(self._n_steps // 1000, 1)
         advance = march(self._step, chunk)
         while steps < self._n_steps and np.isfinite(np.asarray(state)).all():
             state, steps = advance(state, point), steps + chunk
@@ -162,11 +155,6 @@ class Evaluator:
             f"{self._time_step:.3g} s. Take a smaller shutdown.time_step, or a softer "
             "contact."
         )
-
-    @cached_property
-    def refined(self) -> Evaluator:
-        """The same rollouts with half the time step."""
-        return Evaluator(self.case, self.candidate, 2 * self.refinement)
 
     @property
     def _time_step(self) -> float:
@@ -180,63 +168,18 @@ class Evaluator:
     def _start(self) -> ca.Function:
         point = ca.SX.sym("point", 2)
         driveline = self.driveline(*ca.vertsplit(point))
-        start = quasi_steady_state(driveline, self.case.shutdown.initial_speed)
-        totals = ca.SX.zeros(len(TOTALS))
-        return ca.Function("start", [point], [ca.vertcat(start, totals)])
-
-    @cached_property
-    def _start_jacobian(self) -> ca.Function:
-        point = ca.SX.sym("point", 2)
-        return ca.Function(
-            "start_jacobian", [point], [ca.jacobian(self._start(point), point)]
-        )
+        return joint_start(driveline, self.case.shutdown.initial_speed, point)
 
     @cached_property
     def _step(self) -> ca.Function:
-        """One step of the joint state: driveline, then TOTALS."""
         point = ca.SX.sym("point", 2)
         driveline = self.driveline(*ca.vertsplit(point))
-        n = len(state_names(driveline))
-        state, totals = ca.SX.sym("state", n), ca.SX.sym("totals", len(TOTALS))
-        state_next = rk4_step(
-            lambda y: motion(driveline, y).state_rate, state, self._time_step
-        )
-        totals_next = self._add(totals, motion(driveline, state))
-        return ca.Function(
-            "step",
-            [ca.vertcat(state, totals), point],
-            [ca.cse(ca.vertcat(state_next, totals_next))],
-            ["state", "parameters"],
-            ["state_next"],
-        )
-
-    def _add(self, totals: Scalar, now: Motion) -> Scalar:
-        """Return the totals with the segment that starts now, eqs. (4)-(6), (14)."""
-        case = self.case
-        forces = rotational_loads(now.transmission_force, case.shaft)
-        weights = static_loads(case.shaft)
-        loads = [
-            combined_load(force, weight, now.generator_angle)
-            for force, weight in zip(forces, weights, strict=True)
-        ]
-        damages = [
-            damage_increment(
-                load,
-                now.generator_speed,
-                self._time_step,
-                bearing,
-                case.lubrication,
-                case.reliability,
-            )
-            for load, bearing in zip(loads, case.bearings, strict=True)
-        ]
-        peaks = ca.vertcat(ca.fabs(now.transmission_force), *loads)
-        return ca.vertcat(totals[:2] + ca.vertcat(*damages), ca.fmax(totals[2:], peaks))
+        return joint_step(driveline, self.case, self._time_step, point)
 
     @cached_property
-    def _march(self) -> ca.Function:
-        return march(self._step, self._n_steps)
+    def _march(self) -> Marcher:
+        return virtual_machine_marcher(self._step, self._n_steps)
 
     @cached_property
-    def _march_with_sensitivities(self) -> ca.Function:
-        return march(with_sensitivities(self._step), self._n_steps)
+    def _march_with_sensitivities(self) -> Marcher:
+        return virtual_machine_marcher(with_sensitivities(self._step), self._n_steps)

@@ -1,0 +1,49 @@
+"""Marching many columns of states at once, with whatever engine there is."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.rollout.march import march
+
+Batch = Callable[[FloatArray, FloatArray], FloatArray]
+
+
+@dataclass(frozen=True)
+class Marcher:
+    """A step applied many times to every column of a batch.
+
+    Called with states (n, b) and parameters (m, b), returns the states at the end
+    (n, b), column by column in their order, whatever the batch and the threads.
+    `engine` says in words what does the work.
+    """
+
+    run: Batch
+    engine: str
+
+    def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
+        """Return the states at the end."""
+        return self.run(states, parameters)
+
+
+def virtual_machine_marcher(step: ca.Function, n_steps: int) -> Marcher:
+    """Return a marcher on CasADi's virtual machine, one column after another."""
+    function = march(step, n_steps)
+
+    def one(column: tuple[FloatArray, FloatArray]) -> FloatArray:
+        return np.asarray(function(*column), dtype=np.float64).ravel()
+
+    def run(states: FloatArray, parameters: FloatArray) -> FloatArray:
+        columns = list(zip(states.T, parameters.T, strict=True))
+        # CasADi lets go of Python's lock while it evaluates: threads do help.
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            return np.stack(list(pool.map(one, columns)), axis=1)
+
+    return Marcher(run, "CasADi's virtual machine")
