@@ -10,14 +10,6 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
-VERDICT_STYLES = {"PASS": "bold green", "FAIL": "bold red", "SKIPPED": "bold"}
-
-
-def verdict(passes: bool) -> Text:
-    """Return PASS or FAIL; the colour only repeats the word."""
-    word = "PASS" if passes else "FAIL"
-    return Text(word, style=VERDICT_STYLES[word])
-
 
 def panel(
     title: str, parts: Iterable[RenderableType | None], style: str = "none"
@@ -68,8 +60,3 @@ def bullets(title: str, items: Sequence[str]) -> RenderableType | None:
 def titled(title: str, content: RenderableType) -> Group:
     """Return content under a line of its own."""
     return Group(Text(title, style="bold"), content)
-
-
-def words(name: str) -> str:
-    """Return a name of the code as one reads it: `tight_fit` is tight fit."""
-    return name.replace("_", " ")

@@ -8,8 +8,10 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from coupling_design.design.results import Criterion
-from coupling_design.report.blocks import facts, table, titled, verdict
-from coupling_design.report.numbers import display_unit, percent, value_and_limit
+from coupling_design.report.blocks import facts, table, titled
+from coupling_design.report.numbers import percent
+from coupling_design.report.units import display_unit, value_and_limit
+from coupling_design.report.words import verdict
 
 
 def render_criteria(title: str, criteria: Sequence[Criterion]) -> RenderableType | None:

@@ -15,16 +15,17 @@ from coupling_design.design.results import (
     DesignOutcome,
     Performance,
 )
-from coupling_design.report.blocks import facts, panel, words
+from coupling_design.report.blocks import facts, panel
 from coupling_design.report.criteria import render_criteria
-from coupling_design.report.numbers import as_given
 from coupling_design.report.performances import (
     Measured,
     render_design,
     render_quantities,
 )
 from coupling_design.report.steps import describe_conditioning
+from coupling_design.report.units import as_given
 from coupling_design.report.verdicts import describe_reduction
+from coupling_design.report.words import words
 
 
 def render_baseline(outcome: DesignOutcome) -> Panel:

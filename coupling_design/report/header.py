@@ -11,7 +11,7 @@ from coupling_design import __version__
 from coupling_design.case.case import Case, LoadLimitReading
 from coupling_design.design.results import DesignOutcome
 from coupling_design.report.blocks import facts, panel, titled
-from coupling_design.report.numbers import as_given
+from coupling_design.report.units import as_given
 from coupling_design.report.verdicts import render_verdict
 
 READINGS = {

@@ -11,8 +11,11 @@ from rich.table import Table
 from rich.text import Text
 
 from coupling_design.design.results import Alternative, Performance, Rundown
-from coupling_design.report.blocks import table, titled, verdict
-from coupling_design.report.numbers import damage, damage_e6, quantity, significant
+from coupling_design.report.blocks import table, titled
+from coupling_design.report.damages import damage, damage_e6
+from coupling_design.report.numbers import significant
+from coupling_design.report.units import quantity
+from coupling_design.report.words import verdict
 
 _HEADERS = ("C_Tdyn\nMN*m/rad", "gap\nmm", "f_n\nHz", "peak F_c\nkN", "D\n-")
 

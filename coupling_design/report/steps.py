@@ -9,10 +9,12 @@ from rich.panel import Panel
 from rich.text import Text
 
 from coupling_design.design.results import Conditioning, Decision, Optimum, StepResult
-from coupling_design.report.blocks import bullets, facts, panel, titled, words
+from coupling_design.report.blocks import bullets, facts, panel, titled
 from coupling_design.report.criteria import render_criteria
-from coupling_design.report.numbers import change, damage_e6
+from coupling_design.report.damages import damage_e6
+from coupling_design.report.numbers import change
 from coupling_design.report.performances import render_alternatives, render_design
+from coupling_design.report.words import words
 
 _BORDERS = {Decision.PASS: "green", Decision.FAIL: "red", Decision.SKIPPED: "none"}
 

@@ -7,10 +7,11 @@ from rich.text import Text
 
 from coupling_design.design.results import ChosenDesign, Criterion, DesignOutcome
 from coupling_design.design.results import LoadReading as StrictReading
-from coupling_design.report.blocks import VERDICT_STYLES, panel, words
+from coupling_design.report.blocks import panel
 from coupling_design.report.criteria import render_criteria
-from coupling_design.report.numbers import quantity
+from coupling_design.report.units import quantity
 from coupling_design.report.verdicts import describe_strict
+from coupling_design.report.words import VERDICT_STYLES, words
 
 
 def render_summary(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:

@@ -7,9 +7,15 @@ from collections.abc import Iterable
 from rich.console import Group
 from rich.text import Text
 
-from coupling_design.design.results import ChosenDesign, DesignOutcome, LoadReading
-from coupling_design.report.blocks import VERDICT_STYLES, words
-from coupling_design.report.numbers import quantity, significant
+from coupling_design.design.results import (
+    ChosenDesign,
+    Criterion,
+    DesignOutcome,
+    LoadReading,
+)
+from coupling_design.report.numbers import significant
+from coupling_design.report.units import display_unit, quantity, value_and_limit
+from coupling_design.report.words import VERDICT_STYLES, words
 
 _DIGITS_OF_REDUCTION = 3
 
@@ -42,6 +48,9 @@ def _sentences(outcome: DesignOutcome) -> Iterable[Text]:
     chosen = outcome.chosen
     if chosen is None:
         yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
+        for criterion in outcome.nearest_criteria:
+            if not criterion.passes:
+                yield Text(_miss(criterion))
     else:
         yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])
         reduction = describe_reduction(chosen, outcome.baseline.conditioning.digits)
@@ -50,6 +59,12 @@ def _sentences(outcome: DesignOutcome) -> Iterable[Text]:
         strict = outcome.strict_reading
         style = "none" if strict.passes else VERDICT_STYLES["FAIL"]
         yield Text(describe_strict(strict), style=style)
+
+
+def _miss(criterion: Criterion) -> str:
+    value, limit = value_and_limit(criterion)
+    unit = display_unit(criterion.unit)
+    return f"Nearest came: {criterion.name} {value} {unit}, wanted {limit} {unit}."
 
 
 def _design(chosen: ChosenDesign) -> str:

@@ -4,15 +4,12 @@ from dataclasses import replace
 import pytest
 
 from coupling_design.design.results import Criterion, Sense
-from coupling_design.report.numbers import (
+from coupling_design.report.damages import damage, damage_e6
+from coupling_design.report.numbers import change, percent, significant
+from coupling_design.report.units import (
     as_given,
-    change,
-    damage,
-    damage_e6,
     display_unit,
-    percent,
     quantity,
-    significant,
     value_and_limit,
 )
 

@@ -104,6 +104,8 @@ def test_text_of_the_case_is_no_markup(report):
 def test_without_a_design(no_design):
     text = flat(plain_text(render_outcome(no_design)))
     assert "No design meets the limits" in text
+    nearest = "Nearest came: peak transmission force 46.69 kN, wanted <= 36.12 kN."
+    assert text.count(nearest) == 2
     assert "nearest 0.5410 0.2800 9.963 70.17" in text
     assert "46.69 <= 36.12 -29.26 kN FAIL" in text
     assert "Step 5: Key gap - SKIPPED" in text

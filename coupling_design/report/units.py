@@ -1,0 +1,45 @@
+"""SI values in the units an engineer reads them in."""
+
+from __future__ import annotations
+
+import math
+
+from coupling_design.design.results import Criterion
+from coupling_design.report.numbers import DIGITS, significant
+
+# What a report shows for an SI unit, and how many SI units one of it is.
+_DISPLAY = {
+    "": ("-", 1.0),
+    "m": ("mm", 1e-3),
+    "N": ("kN", 1e3),
+    "N*m": ("kN*m", 1e3),
+    "N*m/rad": ("MN*m/rad", 1e6),
+    "rad/s": ("rpm", math.pi / 30),
+}
+_MOST_DIGITS = 17  # tells any two different floats apart
+
+
+def display_unit(unit: str) -> str:
+    """Return the unit a report shows for an SI unit."""
+    return _DISPLAY.get(unit, (unit, 1.0))[0]
+
+
+def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
+    """Return an SI value as a number in the unit that `display_unit` names."""
+    return significant(value / _DISPLAY.get(unit, (unit, 1.0))[1], digits)
+
+
+def as_given(value: float, unit: str) -> str:
+    """Return an SI value of the case file in display units, without idle zeros."""
+    text = quantity(value, unit)
+    return text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
+
+
+def value_and_limit(criterion: Criterion) -> tuple[str, str]:
+    """Return both numbers of a criterion; never alike if the value is off its limit."""
+    for digits in range(DIGITS, _MOST_DIGITS + 1):
+        value = quantity(criterion.value, criterion.unit, digits)
+        limit = quantity(criterion.limit, criterion.unit, digits)
+        if criterion.passes or value != limit:
+            break
+    return value, f"{criterion.sense} {limit}"
