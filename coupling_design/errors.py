@@ -29,5 +29,11 @@ class SimulationError(CouplingDesignError):
     """A rollout left the domain in which its equations hold."""
 
 
+class OutputError(CouplingDesignError):
+    """A place for the report's files that cannot be written to."""
+
+    exit_code = 2
+
+
 class DesignError(CouplingDesignError):
     """The optimiser or a stage could not do its work."""

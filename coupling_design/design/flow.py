@@ -20,7 +20,10 @@ from coupling_design.design.results import (
 from coupling_design.design.search import Effort, Progress, Workbench
 from coupling_design.design.stability import check_time_step
 from coupling_design.design.stages.bearing_load import limit_bearing_load
-from coupling_design.design.stages.coupling_types import determine_coupling_types
+from coupling_design.design.stages.coupling_types import (
+    determine_coupling_types,
+    torque_criteria,
+)
 from coupling_design.design.stages.high_stiffness_plan import plan_high_stiffness
 from coupling_design.design.stages.key_gap import minimise_key_gap
 from coupling_design.design.stages.vibration_isolation import (
@@ -60,17 +63,19 @@ def run_design(
         bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
         state = stage(state)
     chosen = _chosen(state, state.solution) if state.solution else None
-    nearest = None if chosen or not state.nearest else state.nearest.performance
-    shown = chosen.performance if chosen else nearest
+    nearest = None if chosen else state.nearest
+    shown = chosen or nearest
     return DesignOutcome(
         case=case,
         baseline=state.baseline,
         steps=state.steps,
         chosen=chosen,
-        strict_reading=_strict_reading(case, shown) if shown else None,
+        strict_reading=_strict_reading(case, shown.performance) if shown else None,
         nearest=nearest,
         nearest_criteria=_nearest_criteria(state),
         assumptions=case.assumptions,
+        engine=bench.engine,
+        rollouts=bench.rollouts,
         run_time=time.perf_counter() - began,
     )
 
@@ -92,6 +97,10 @@ def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
         conditioning=solution.optimum.conditioning
         or conditioning(evaluator, performance),
         damage_reduction=1 - performance.damage / state.baseline.performance.damage,
+        criteria=(
+            *torque_criteria(state.case, solution.candidate.coupling_type),
+            *(limit.criterion(performance) for limit in solution.constraints),
+        ),
     )
 
 

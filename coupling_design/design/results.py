@@ -187,7 +187,7 @@ class Baseline:
 
 @dataclass(frozen=True)
 class ChosenDesign:
-    """The coupling to take, its damage against the present one."""
+    """The coupling to take, against the present one and against every limit."""
 
     plan: Plan
     coupling_type: str
@@ -196,6 +196,7 @@ class ChosenDesign:
     rundown: Rundown
     conditioning: Conditioning
     damage_reduction: float
+    criteria: tuple[Criterion, ...]
 
 
 @dataclass(frozen=True)
@@ -213,7 +214,8 @@ class DesignOutcome:
     """The whole run: everything a report needs.
 
     `chosen` is None when no design meets the limits; `nearest` then names the
-    candidate that came nearest and `nearest_criteria` how near.
+    candidate that came nearest and `nearest_criteria` how near. `engine` says what
+    did the `rollouts`.
     """
 
     case: Case
@@ -221,7 +223,9 @@ class DesignOutcome:
     steps: tuple[StepResult, ...]
     chosen: ChosenDesign | None
     strict_reading: LoadReading | None
-    nearest: Performance | None
+    nearest: Optimum | None
     nearest_criteria: tuple[Criterion, ...]
     assumptions: tuple[SourcedValue, ...]
+    engine: str
+    rollouts: int
     run_time: float

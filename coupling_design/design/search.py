@@ -51,6 +51,17 @@ class Workbench:
             self._evaluators[candidate] = Evaluator(self.case, candidate)
         return self._evaluators[candidate]
 
+    @property
+    def rollouts(self) -> int:
+        """How many run-downs have been rolled out, at the paper's step."""
+        return sum(evaluator.rollouts for evaluator in self._evaluators.values())
+
+    @property
+    def engine(self) -> str:
+        """What did them, in words."""
+        used = {e.engine for e in self._evaluators.values() if e.rollouts}
+        return ", ".join(sorted(used))
+
 
 def problem(
     bench: Workbench,

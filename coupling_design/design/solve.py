@@ -225,7 +225,7 @@ def _count_agreeing(
         difference = abs(float(problem.value(end.performance)) - value)
         return difference <= _SAME_OBJECTIVE and distance <= _SAME_POINT
 
-    return sum(agrees(end) for end in ends)
+    return sum(bool(agrees(end)) for end in ends)
 
 
 def _active(problem: DesignProblem, performance: Performance) -> tuple[str, ...]:

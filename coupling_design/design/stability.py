@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import product
 
 from coupling_design.case.case import Case
@@ -23,7 +24,8 @@ def check_time_step(case: Case) -> None:
         raise CaseError(
             [
                 f"{case.file}: shutdown.time_step: found "
-                f"{case.shutdown.time_step:.4g} s, allowed at most {largest:.3g} s. "
+                f"{case.shutdown.time_step:.4g} s, allowed at most "
+                f"{_rounded_down(largest):.3g} s. "
                 f"Above that the integration of {label} at its stiffest is unstable; "
                 "take a smaller step, or a softer contact."
             ]
@@ -45,3 +47,9 @@ def stable_step(case: Case, candidate: Candidate) -> float:
         largest_stable_step(candidate_driveline(case, candidate, stiffness, 0.0))
         for stiffness in candidate.coupling_type.stiffness_range
     )
+
+
+def _rounded_down(step: float) -> float:
+    """Return a step to three digits, never above it: what is proposed must work."""
+    unit: float = 10.0 ** (math.floor(math.log10(step)) - 2)
+    return math.floor(step / unit) * unit

@@ -13,7 +13,7 @@ from coupling_design.design.results import (
     Baseline,
     ChosenDesign,
     DesignOutcome,
-    Performance,
+    Optimum,
 )
 from coupling_design.report.blocks import facts, panel
 from coupling_design.report.criteria import render_criteria
@@ -73,9 +73,10 @@ def render_nearest(outcome: DesignOutcome) -> Panel:
     return panel("No design meets the limits", parts, style="red")
 
 
-def _nearest(nearest: Performance) -> Iterable[RenderableType]:
+def _nearest(nearest: Optimum) -> Iterable[RenderableType]:
     yield Text("Nearest to its limits came:")
-    yield render_design("nearest", nearest, None)
+    name = f"{nearest.coupling_type}, {words(nearest.connection)}"
+    yield render_design(name, nearest.performance, None)
 
 
 def _present(baseline: Baseline) -> Measured:

@@ -62,10 +62,12 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
         "baseline": _baseline(outcome.baseline),
         "steps": [_step(result) for result in outcome.steps],
         "chosen": None if chosen is None else _chosen(chosen),
-        "nearest": None if outcome.nearest is None else _performance(outcome.nearest),
+        "nearest": None if outcome.nearest is None else _optimum(outcome.nearest),
         "nearest_criteria": [_criterion(c) for c in outcome.nearest_criteria],
         "strict_reading": None if strict is None else _reading(strict),
         "assumptions": [asdict(value) for value in outcome.assumptions],
+        "engine": outcome.engine,
+        "rollouts": outcome.rollouts,
         "run_time_s": outcome.run_time,
     }
 

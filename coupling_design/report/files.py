@@ -7,16 +7,10 @@ import secrets
 from pathlib import Path
 
 from coupling_design.design.results import DesignOutcome
-from coupling_design.errors import CouplingDesignError
+from coupling_design.errors import OutputError
 from coupling_design.report.console import plain_text
 from coupling_design.report.document import build_document, document_text
 from coupling_design.report.outcome import render_outcome
-
-
-class OutputError(CouplingDesignError):
-    """A place for the report's files that cannot be written to."""
-
-    exit_code = 2
 
 
 def prepare_directory(directory: Path) -> None:

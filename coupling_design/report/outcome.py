@@ -41,4 +41,7 @@ def _parts(outcome: DesignOutcome) -> Iterable[RenderableType]:
     yield render_assumptions(outcome.case, outcome.assumptions)
     yield render_validity(outcome)
     yield titled("Result", render_verdict(outcome))
-    yield Text(f"Run time {outcome.run_time:.1f} s.")
+    yield Text(
+        f"Run time {outcome.run_time:.1f} s, {outcome.rollouts} run-downs on "
+        f"{outcome.engine}."
+    )

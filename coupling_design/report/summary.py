@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.panel import Panel
 from rich.text import Text
 
-from coupling_design.design.results import ChosenDesign, Criterion, DesignOutcome
+from coupling_design.design.results import ChosenDesign, DesignOutcome
 from coupling_design.design.results import LoadReading as StrictReading
 from coupling_design.report.blocks import panel
 from coupling_design.report.criteria import render_criteria
@@ -21,32 +21,22 @@ def render_summary(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
         (
             render_criteria(
                 f"Load limit read as {words(outcome.case.reading)}",
-                summary_criteria(outcome, chosen),
+                chosen.criteria,
             ),
         ),
         style="green",
     )
 
 
-def summary_criteria(
-    outcome: DesignOutcome, chosen: ChosenDesign
-) -> tuple[Criterion, ...]:
-    """Return the limits of the chosen type (Step 1) and of its point (Step 5)."""
-    own = f"{chosen.coupling_type}: "
-    carries, *_, final = outcome.steps
-    of_type = (c for c in carries.criteria if c.name.startswith(own))
-    return (*of_type, *final.criteria)
-
-
 def render_strict_reading(outcome: DesignOutcome, strict: StrictReading) -> Panel:
     """Return the design's verdict when the load limit is read strictly."""
     style = "green" if strict.passes else "red"
-    shown = outcome.chosen.performance if outcome.chosen else outcome.nearest
+    shown = outcome.chosen or outcome.nearest
     word = "PASS" if strict.passes else "FAIL"
     parts = [Text(describe_strict(strict), style=VERDICT_STYLES[word])]
     if shown is not None:
         whose = "chosen" if outcome.chosen else "nearest"
-        force = quantity(shown.peak_transmission_force, "N")
+        force = quantity(shown.performance.peak_transmission_force, "N")
         parts.append(
             Text(
                 f"The limits above are read as {words(outcome.case.reading)}. The "

@@ -78,6 +78,9 @@ SCANNED = replace(
     active_constraints=(),
     conditioning=None,
 )
+NEAREST = replace(
+    OPTIMUM, performance=PRESENT, connection="key", coupling_type="steel-spring"
+)
 STEPS = (
     StepResult(
         1,
@@ -150,11 +153,14 @@ def outcome(case):
             rundown=replace(RUNDOWN, rest_time=None),
             conditioning=FIRM,
             damage_reduction=1 - 2.5621e-9 / 4.0512345e-9,
+            criteria=(CARRIES, FREQUENCY, FORCE),
         ),
         strict_reading=LoadReading("combined_load", (STRICT,), False, 28896.14),
         nearest=None,
         nearest_criteria=(),
         assumptions=case.assumptions,
+        engine="CasADi's virtual machine",
+        rollouts=123,
         run_time=43.27,
     )
 
@@ -172,6 +178,6 @@ def no_design(outcome):
         outcome,
         steps=(*STEPS[:3], replace(STEPS[3], decision=Decision.FAIL), skipped),
         chosen=None,
-        nearest=PRESENT,
+        nearest=NEAREST,
         nearest_criteria=(TOO_HIGH,),
     )
