@@ -1,0 +1,128 @@
+/* Elementary functions of lanes, without branches on a lane's value: a lane's result is
+ * the same at any width. Within 2 units in the last place unless said otherwise; NaN
+ * and infinity come out as they should. Numbers below the smallest normal one count
+ * as zero. Coefficients interpolate at Chebyshev nodes, computed with 60 digits.
+ */
+
+/* Adding and taking off 1.5 * 2^52 rounds to an integer, whose low bits are then in
+ * the sum's. */
+#define ROUNDER 0x1.8p52
+#define LN2_HIGH 0x1.62e42feep-1
+#define LN2_LOW 0x1.a39ef35793c76p-33
+
+/* (exp(r) - 1 - r) / r^2 for |r| <= ln(2) / 2, by Estrin's scheme. */
+INLINE Real exp_tail(Real r)
+{
+    Real r2 = r * r, r4 = r2 * r2;
+    Real a = fused(r, splat(0x1.5555555555556p-3), splat(0x1.0000000000001p-1));
+    Real b = fused(r, splat(0x1.11111111109a6p-7), splat(0x1.5555555553d37p-5));
+    Real c = fused(r, splat(0x1.a01a01a7cebcdp-13), splat(0x1.6c16c1789d1d7p-10));
+    Real d = fused(r, splat(0x1.71de0d85293b8p-19), splat(0x1.a019b8ca26fcfp-16));
+    Real e = fused(r, splat(0x1.af390ba7e6f47p-26), splat(0x1.2891d4ffbb0f9p-22));
+    a = fused(r2, b, a);
+    c = fused(r2, d, c);
+    return fused(r4, fused(r4, e, c), a);
+}
+
+INLINE Real lane_exp(Real x)
+{
+    Real highest = splat(0x1.62e42fefa39efp9), lowest = splat(-0x1.6232bdd7abcd2p9);
+    Real held = larger(lowest, smaller(highest, x)); /* NaN stays */
+    Real shifted = fused(held, splat(0x1.71547652b82fep0), splat(ROUNDER));
+    Real k = shifted - splat(ROUNDER);
+    Real r = fused(k, splat(-LN2_LOW), fused(k, splat(-LN2_HIGH), held));
+    Real y = fused(r * r, exp_tail(r), r) + splat(1);
+    y = real(bits(y) + SHIFT_LEFT(bits(shifted), 52));
+    y = choose(less(highest, x), splat(INFINITY), y);
+    return choose(less(x, lowest), splat(0), y);
+}
+
+/* tanh |x| = (1 - E) / (1 + E) with E = exp(-2 |x|), from E - 1 without cancellation. */
+INLINE Real lane_tanh(Real x)
+{
+    Real size = magnitude(x);
+    if (every(less(splat(22), size))) return with_sign(splat(1), x); /* exact there */
+    Real held = smaller(splat(22), size); /* NaN stays */
+    Real u = held * splat(-2);
+    Real shifted = fused(u, splat(0x1.71547652b82fep0), splat(ROUNDER));
+    Real k = shifted - splat(ROUNDER);
+    Real r = fused(k, splat(-LN2_LOW), fused(k, splat(-LN2_HIGH), u));
+    Real p = fused(r * r, exp_tail(r), r);
+    Real scale = real(SHIFT_LEFT(bits(shifted), 52) + SPLAT_BITS(0x3ff0000000000000));
+    Real less_one = fused(scale, p, scale - splat(1));
+    return with_sign(less_one / (less_one + splat(2)), x);
+}
+
+/* x = 2^k m, m in [sqrt(1/2), sqrt(2)); log m = 2 artanh((m - 1) / (m + 1)). */
+INLINE Real lane_log(Real x)
+{
+    Bits offset = bits(x) - SPLAT_BITS(0x3fe6a09e667f3bcd);
+    Bits exponent = offset & SPLAT_BITS(0xfff0000000000000);
+    Real m = real(bits(x) - exponent);
+    Bits biased = SHIFT_RIGHT(offset + SPLAT_BITS(0x4000000000000000), 52);
+    Real k = real(biased | SPLAT_BITS(0x4330000000000000)) - splat(0x1p52 + 1024);
+    Real f = m - splat(1), s = f / (f + splat(2)), z = s * s, z2 = z * z;
+    Real a = fused(z, splat(0x1.9999999995273p-2), splat(0x1.5555555555558p-1));
+    Real b = fused(z, splat(0x1.c71c62d5e53e0p-3), splat(0x1.2492492dfd86cp-2));
+    Real c = fused(z, splat(0x1.39fdcceb4bb45p-3), splat(0x1.7462b91b8df65p-3));
+    Real q = fused(z2, fused(z2, fused(z2, splat(0x1.2b5f68a50d903p-3), c), b), a);
+    /* log m = f - s (f - z q): f is exact, the rest small beside it. */
+    Real rest = fused(k, splat(LN2_LOW), -(s * (f - z * q)));
+    Real y = fused(k, splat(LN2_HIGH), f + rest);
+    y = choose(less_equal(x, splat(0x1.fffffffffffffp1023)), y, x * x);
+    Real below = choose(less(x, splat(0)), splat(NAN), splat(-INFINITY));
+    return choose(less(x, splat(0x1p-1022)), below, y);
+}
+
+/* sin(x) = (-1)^k sin(x - k pi). The first two parts of pi times k are exact up to
+ * |x| = 1e8; beyond that accuracy is lost slowly. */
+INLINE Real sin_reduced(Real x, Real k, Bits sign)
+{
+    Real r = fused(k, splat(-0x1.921fb54p1), x);
+    r = fused(k, splat(-0x1.10b461p-29), r);
+    r = fused(k, splat(-0x1.a62633145c06ep-57), r);
+    Real z = r * r, z2 = z * z;
+    Real a = fused(z, splat(0x1.1111111111107p-7), splat(-0x1.5555555555555p-3));
+    Real b = fused(z, splat(0x1.71de3a5453a9cp-19), splat(-0x1.a01a01a018a6bp-13));
+    Real c = fused(z, splat(0x1.612400c8c470dp-33), splat(-0x1.ae6455a012592p-26));
+    Real d = fused(z, splat(0x1.899eb3575b7f2p-49), splat(-0x1.ae5109fea6b7ap-41));
+    a = fused(z2, b, a);
+    c = fused(z2, d, c);
+    Real q = fused(z2 * z2, c, a);
+    return real(bits(fused(r * z, q, r)) ^ sign);
+}
+
+INLINE Real lane_sin(Real x)
+{
+    Real shifted = fused(x, splat(0x1.45f306dc9c883p-2), splat(ROUNDER));
+    return sin_reduced(x, shifted - splat(ROUNDER), SHIFT_LEFT(bits(shifted), 63));
+}
+
+/* cos(x) = (-1)^(k + 1) sin(x - (k + 1/2) pi) */
+INLINE Real lane_cos(Real x)
+{
+    Real turns = fused(x, splat(0x1.45f306dc9c883p-2), splat(-0.5));
+    Real shifted = turns + splat(ROUNDER);
+    Real k = (shifted - splat(ROUNDER)) + splat(0.5);
+    return sin_reduced(x, k, SHIFT_LEFT(~bits(shifted), 63));
+}
+
+/* Relative error about 1e-16 |y log x|: good where the result is of moderate size. */
+INLINE Real lane_pow(Real x, Real y)
+{
+    Real size = lane_exp(y * lane_log(magnitude(x)));
+    Real whole = (magnitude(y) + splat(0x1p52)) - splat(0x1p52);
+    Bits odd = SHIFT_LEFT(bits(magnitude(y) + splat(0x1p52)), 63);
+    Real negative = choose(equal(whole, magnitude(y)), real(bits(size) | odd), splat(NAN));
+    Real power = choose(less(x, splat(0)), negative, size);
+    return choose(equal(y, splat(0)), splat(1), power);
+}
+
+/* Unlike C's fmax and fmin these do not forget a NaN. */
+INLINE Real lane_fmax(Real a, Real b) { return choose(equal(a, a), larger(a, b), a); }
+INLINE Real lane_fmin(Real a, Real b) { return choose(equal(a, a), smaller(a, b), a); }
+
+INLINE Real lane_sign(Real x)
+{
+    return choose(equal(x, splat(0)), splat(0), choose(equal(x, x), with_sign(splat(1), x), x));
+}

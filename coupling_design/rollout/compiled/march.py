@@ -1,0 +1,166 @@
+"""A march as machine code.
+
+>>> march = compile_march(step, 120_000)          # doctest: +SKIP
+>>> ends = march(states, parameters)              # (n, batch), (m, batch) -> (n, batch)
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.rollout.compiled.compiler import (
+    Compiler,
+    CompilerError,
+    find_compiler,
+)
+from coupling_design.rollout.compiled.reading import UnknownOperationError, read_step
+from coupling_design.rollout.compiled.store import load_library
+from coupling_design.rollout.compiled.writing import Kernel, write_kernel
+
+_DOUBLES = ctypes.POINTER(ctypes.c_double)
+
+
+@dataclass(frozen=True)
+class NotCompiled:
+    """Why there is no machine code, in one line."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class CompiledMarch:
+    """A step applied many times to every column of a batch.
+
+    A column's result is the same to the last bit whatever the batch, its place in it
+    and the number of threads. A column that leaves finite numbers ends as infinity or
+    NaN, the others are not touched by it.
+    """
+
+    kernel: Kernel
+    compiler: Compiler
+    n_states: int
+    n_parameters: int
+    n_steps: int
+
+    def __call__(
+        self, states: FloatArray, parameters: FloatArray, threads: int | None = None
+    ) -> FloatArray:
+        """Return the states at the end.
+
+        Parameters
+        ----------
+        states : at the start, shape (n, batch)
+        parameters : shape (m, batch)
+        threads : as many as there are processors if not given
+
+        Returns
+        -------
+        states after n_steps, shape (n, batch)
+        """
+        self._check(states, parameters)
+        batch = states.shape[1]
+        threads = threads or os.cpu_count() or 1
+        library = self._library(is_single=batch <= 1)
+        lanes = ctypes.c_int.in_dll(library, "march_lanes_count").value
+        states, parameters = _padded(states, lanes), _padded(parameters, lanes)
+        ends = np.empty_like(states)
+
+        def block(first: int) -> None:
+            _call(library, self, parameters, states, ends, first)
+
+        firsts = range(0, states.shape[1], lanes)
+        if threads == 1 or len(firsts) == 1:
+            for first in firsts:
+                block(first)
+        else:
+            with ThreadPoolExecutor(threads) as pool:
+                list(pool.map(block, firsts))
+        return ends[:, :batch]
+
+    def _check(self, states: FloatArray, parameters: FloatArray) -> None:
+        expected = (self.n_states, self.n_parameters)
+        is_batch = states.ndim == parameters.ndim == 2
+        if not is_batch or (len(states), len(parameters)) != expected:
+            raise ValueError(
+                f"expected states ({self.n_states}, batch) and parameters "
+                f"({self.n_parameters}, batch), not {states.shape} and "
+                f"{parameters.shape}"
+            )
+        if states.shape[1] != parameters.shape[1]:
+            raise ValueError("as many columns of states as of parameters are needed")
+
+    def _library(self, *, is_single: bool) -> ctypes.CDLL:
+        defines = ("SINGLE_LANE",) if is_single else ()
+        return _load(self.kernel.source, defines, self.compiler)
+
+
+def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompiled:
+    """Return the march of a step as machine code, or why there is none.
+
+    Parameters
+    ----------
+    step : function (state, parameters) -> state
+    n_steps : at least 1
+    """
+    if n_steps < 1:
+        raise ValueError(f"a march needs at least one step, not {n_steps}")
+    try:
+        compiler = find_compiler()
+        graph, outputs = read_step(step)
+        kernel = write_kernel(graph, outputs)
+        march = CompiledMarch(
+            kernel, compiler, step.size1_in(0), step.size1_in(1), n_steps
+        )
+        march._library(is_single=True)
+    except (CompilerError, UnknownOperationError) as error:
+        return NotCompiled(str(error))
+    return march
+
+
+def _padded(columns: FloatArray, lanes: int) -> FloatArray:
+    """Return whole blocks of columns, row after row, the last column repeated."""
+    missing = -columns.shape[1] % lanes
+    whole = np.pad(columns, ((0, 0), (0, missing)), mode="edge")
+    return np.ascontiguousarray(whole, dtype=np.float64)
+
+
+def _call(
+    library: ctypes.CDLL,
+    march: CompiledMarch,
+    parameters: FloatArray,
+    states: FloatArray,
+    ends: FloatArray,
+    first: int,
+) -> None:
+    """March the block of columns that starts at `first`."""
+    constants = np.array(march.kernel.constants, np.float64)
+    library.march_lanes(
+        ctypes.c_int64(march.n_steps),
+        ctypes.c_int64(states.shape[1]),
+        constants.ctypes.data_as(_DOUBLES),
+        *(
+            ctypes.cast(array.ctypes.data + 8 * first, _DOUBLES)
+            for array in (parameters, states, ends)
+        ),
+    )
+
+
+@lru_cache(maxsize=64)
+def _load(source: str, defines: tuple[str, ...], compiler: Compiler) -> ctypes.CDLL:
+    headers = [_header("lanes.h"), _header("elementary.h")]
+    count = "const int march_lanes_count = LANES;\n"
+    return load_library("\n".join([*headers, source, count]), defines, compiler)
+
+
+@lru_cache(maxsize=2)
+def _header(name: str) -> str:
+    return (resources.files(__package__) / name).read_text(encoding="utf-8")
