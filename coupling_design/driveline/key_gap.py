@@ -16,12 +16,22 @@ from coupling_design.driveline.parameters import KeyedConnection
 # The smoothed contact is steeper than k_g just outside the gap: its slope is
 # (1 + tanh u + u sech^2 u) / 2 with u = s (x - b), largest where u tanh u = 1.
 LARGEST_RELATIVE_SLOPE = 1.09984
+# Our choice: at s b = 100 the dip inside the edge spans 1 % of the gap.
+SHARP = 100.0
 
 
 def half_gap_angle(connection: KeyedConnection) -> Scalar:
     """Return b = Phi / (2 r), the angle from the middle of the gap to contact [rad]."""
     Phi, r = connection.gap, connection.radius
     return Phi / (2 * r)
+
+
+def sharpness(connection: KeyedConnection) -> Scalar:
+    """Return s b [-], half the gap over the width its edge is smoothed over.
+
+    Below about `SHARP` the smoothing is a property of the machine, not of the solver.
+    """
+    return connection.smoothing * connection.radius * half_gap_angle(connection)
 
 
 def contact_deflection(twist: Scalar, connection: KeyedConnection) -> Scalar:

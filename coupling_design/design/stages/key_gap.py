@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from coupling_design.case.case import ConnectionOption
-from coupling_design.design.candidate import Candidate
+from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.parsimony import (
     WORTH_A_CHANGE,
     keep_lowest_stiffness,
@@ -31,6 +31,8 @@ from coupling_design.design.state import (
     gap_nearest_present,
     options_of,
 )
+from coupling_design.driveline.key_gap import SHARP, sharpness
+from coupling_design.driveline.parameters import KeyedConnection
 
 TITLE = "Key gap"
 QUESTION = (
@@ -64,7 +66,7 @@ def minimise_key_gap(state: FlowState) -> FlowState:
     passing = [trial for trial in trials if trial.alternative.passes]
     tightest = _tightest(solution, passing)
     chosen = keep_lowest_stiffness(state, solution, tightest)
-    result = _result(chosen, tightest, trials, passing)
+    result = _result(state, chosen, tightest, trials, passing)
     return state.after(result, solution=chosen)
 
 
@@ -137,6 +139,7 @@ def _at_smallest_gap(
 
 
 def _result(
+    state: FlowState,
     chosen: Solution,
     tightest: Solution,
     trials: list[_Trial],
@@ -157,9 +160,30 @@ def _result(
         criteria=tuple(c.criterion(performance) for c in chosen.constraints),
         alternatives=tuple(trial.alternative for trial in trials),
         findings=tuple(findings),
-        caveats=_caveats(chosen, passing),
+        caveats=(*_caveats(chosen, passing), *_blunt(state, trials)),
         optimum=optimum,
     )
+
+
+def _blunt(state: FlowState, trials: list[_Trial]) -> tuple[str, ...]:
+    """Return which gaps are so small that the smoothing takes part of them."""
+    found = []
+    for trial in trials:
+        performance = trial.alternative.performance
+        if performance is None or performance.key_gap == 0.0:
+            continue
+        driveline = candidate_driveline(
+            state.case, trial.candidate, 1.0, performance.key_gap
+        )
+        if isinstance(driveline.connection, KeyedConnection):
+            s_b = float(sharpness(driveline.connection))
+            if s_b < SHARP:
+                found.append(
+                    f"{trial.candidate.label}, {performance.key_gap * 1e3:.3g} mm: the "
+                    f"edge of the gap is smoothed over 1/{s_b:.3g} of half the gap "
+                    f"(1/{SHARP:.0f} or less is sharp), so its rattle is understated."
+                )
+    return tuple(found)
 
 
 def _caveats(chosen: Solution, passing: list[_Trial]) -> tuple[str, ...]:
