@@ -6,9 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 import casadi as ca
+import numpy as np
 
+from coupling_design.arithmetic import FloatArray
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.joint import TOTALS
+from coupling_design.errors import SimulationError
 
 
 class RolloutCallback(ca.Callback):
@@ -38,8 +41,7 @@ class RolloutCallback(ca.Callback):
 
     def eval(self, arguments: Sequence[ca.DM]) -> list[ca.DM]:
         """Return the totals at a point."""
-        stiffness, gap = (float(value) for value in arguments[0].full().ravel())
-        return [ca.DM(self._evaluator.totals_and_jacobian(stiffness, gap)[0])]
+        return [ca.DM(_totals_and_jacobian(self._evaluator, arguments[0])[0])]
 
     def has_jacobian(self) -> bool:
         """Return that the Jacobian is known exactly."""
@@ -77,5 +79,19 @@ class _JacobianCallback(ca.Callback):
         return ca.Sparsity.dense(len(TOTALS), 2)
 
     def eval(self, arguments: Sequence[ca.DM]) -> list[ca.DM]:
-        stiffness, gap = (float(value) for value in arguments[0].full().ravel())
-        return [ca.DM(self._evaluator.totals_and_jacobian(stiffness, gap)[1])]
+        return [ca.DM(_totals_and_jacobian(self._evaluator, arguments[0])[1])]
+
+
+def _totals_and_jacobian(
+    evaluator: Evaluator, point: ca.DM
+) -> tuple[FloatArray, FloatArray]:
+    """Return totals and Jacobian, not-a-number where the rollout left finite numbers.
+
+    Ipopt takes that for a point to step back from; an exception it could not.
+    """
+    stiffness, gap = (float(value) for value in point.full().ravel())
+    try:
+        return evaluator.totals_and_jacobian(stiffness, gap)
+    except SimulationError:
+        n = len(TOTALS)
+        return np.full(n, np.nan), np.full((n, 2), np.nan)

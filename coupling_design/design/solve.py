@@ -46,6 +46,7 @@ _SAME_OBJECTIVE, _SAME_POINT = 1e-3, 1e-2
 _SEARCH_ITERATIONS = 15
 # The program's limits lie a little inside the scan's: less than this is no win.
 _TIE = 1e-5
+_CONVERGED = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
 
 
 @dataclass(frozen=True)
@@ -71,9 +72,9 @@ def optimise(
     rollouts = problem.evaluator.rollouts - before
     best_end = best_first(problem, [end.performance for end in ends])[0]
     best_scanned = best_first(problem, scanned)[0]
-    by_ipopt = not _clearly_better(problem, best_scanned, best_end)
-    winner = best_end if by_ipopt else best_scanned
     end = next(end for end in ends if end.performance is best_end)
+    by_ipopt = _is_ipopts(problem, end, best_scanned)
+    winner = best_end if by_ipopt else best_scanned
     return Optimum(
         objective=problem.objective.value,
         performance=winner,
@@ -144,6 +145,13 @@ def _bounded_search(
         options={"xatol": _SAME_POINT * 0.1, "maxiter": _SEARCH_ITERATIONS},
     )
     return best_first(problem, seen)[0]
+
+
+def _is_ipopts(problem: DesignProblem, end: _End, scanned: Performance) -> bool:
+    """Return whether Ipopt's end wins over the scan; a tie only if it converged."""
+    if end.status in _CONVERGED:
+        return not _clearly_better(problem, scanned, end.performance)
+    return _clearly_better(problem, end.performance, scanned)
 
 
 def _clearly_better(
