@@ -161,9 +161,15 @@ class Landscape(Evaluator):
         return self
 
     def performance(self, torsional_stiffness, key_gap, start_offset=0.0):
-        self.rollouts += 1
-        totals = self._formula([torsional_stiffness, key_gap]).full().ravel()
-        return self.read(torsional_stiffness, key_gap, totals.tolist())
+        return self.performances([(torsional_stiffness, key_gap)])[0]
+
+    def performances(self, points, start_offset=0.0):
+        self.rollouts += len(points)
+        totals = [self._formula(ca.DM(point)).full().ravel() for point in points]
+        return tuple(
+            self.read(*point, values.tolist())
+            for point, values in zip(points, totals, strict=True)
+        )
 
     def totals_and_jacobian(self, torsional_stiffness, key_gap):
         self.rollouts += 1
