@@ -188,6 +188,7 @@ def _run_ipopt(problem: DesignProblem, start: Performance) -> _End:
         "ipopt": _IPOPT,
         "print_time": False,
         "error_on_fail": False,
+        "show_eval_warnings": False,  # the status says it, once
     }
     solver = ca.nlpsol(
         "design",

@@ -153,6 +153,17 @@ def _evidence(
     )
 
 
+def _closed_gap_caveat(trials: list[_Trial]) -> tuple[str, ...]:
+    """Return a caveat if closing the gap alone would have let an elastic type pass."""
+    return tuple(
+        f"{alternative.name} would meet the limit: a tight fit is worth considering "
+        "before a high-stiffness coupling. The method judges at the present gap."
+        for trial in trials
+        for alternative in trial.alternatives[1:]
+        if trial.solution is None and alternative.passes
+    )
+
+
 def _result(
     state: FlowState, trials: list[_Trial], shown: _Trial, decision: Decision
 ) -> StepResult:
@@ -165,5 +176,6 @@ def _result(
         criteria=tuple(limit.criterion(performance) for limit in _limits(state.case)),
         alternatives=tuple(a for trial in trials for a in trial.alternatives),
         findings=tuple(f for trial in trials for f in trial.findings),
+        caveats=_closed_gap_caveat(trials),
         optimum=shown.optimum,
     )
