@@ -5,6 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from coupling_design.arithmetic import Scalar
+from coupling_design.rollout.compiled.symbols import with_shared_powers
 
 
 def with_sensitivities(step: ca.Function) -> ca.Function:
@@ -14,6 +15,7 @@ def with_sensitivities(step: ca.Function) -> ca.Function:
     (1 + n_parameters) n_states entries; see `join_sensitivities`. Forward
     differentiation inside the step costs less than differentiating the march.
     """
+    step = with_shared_powers(step)
     n, m = step.size1_in(0), step.size1_in(1)
     state, parameters = ca.SX.sym("state", n), ca.SX.sym("parameters", m)
     sensitivities = ca.SX.sym("sensitivities", n, m)

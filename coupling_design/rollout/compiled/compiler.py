@@ -47,13 +47,12 @@ class Compiler:
     command: tuple[str, ...]
     identity: str
 
-    def build(self, source: str, defines: tuple[str, ...], library: Path) -> None:
+    def build(self, source: str, library: Path) -> None:
         """Write the shared library of a source, or raise CompilerError."""
         arguments = [
             *self.command,
             *_FLAGS,
             *_processor_flags(),
-            *(f"-D{define}" for define in defines),
             "-x",
             "c",
             "-",

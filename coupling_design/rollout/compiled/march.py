@@ -22,6 +22,7 @@ from coupling_design.rollout.compiled.compiler import (
     CompilerError,
     find_compiler,
 )
+from coupling_design.rollout.compiled.products import gather_products
 from coupling_design.rollout.compiled.reading import UnknownOperationError, read_step
 from coupling_design.rollout.compiled.store import load_library
 from coupling_design.rollout.compiled.writing import Kernel, write_kernel
@@ -67,9 +68,7 @@ class CompiledMarch:
         states after n_steps, shape (n, batch)
         """
         self._check(states, parameters)
-        batch = states.shape[1]
-        threads = threads or os.cpu_count() or 1
-        library = self._library(is_single=batch <= 1)
+        batch, library = states.shape[1], self._library()
         lanes = ctypes.c_int.in_dll(library, "march_lanes_count").value
         states, parameters = _padded(states, lanes), _padded(parameters, lanes)
         ends = np.empty_like(states)
@@ -78,12 +77,8 @@ class CompiledMarch:
             _call(library, self, parameters, states, ends, first)
 
         firsts = range(0, states.shape[1], lanes)
-        if threads == 1 or len(firsts) == 1:
-            for first in firsts:
-                block(first)
-        else:
-            with ThreadPoolExecutor(threads) as pool:
-                list(pool.map(block, firsts))
+        with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+            list(pool.map(block, firsts))
         return ends[:, :batch]
 
     def _check(self, states: FloatArray, parameters: FloatArray) -> None:
@@ -98,9 +93,8 @@ class CompiledMarch:
         if states.shape[1] != parameters.shape[1]:
             raise ValueError("as many columns of states as of parameters are needed")
 
-    def _library(self, *, is_single: bool) -> ctypes.CDLL:
-        defines = ("SINGLE_LANE",) if is_single else ()
-        return _load(self.kernel.source, defines, self.compiler)
+    def _library(self) -> ctypes.CDLL:
+        return _load(self.kernel.source, self.compiler)
 
 
 def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompiled:
@@ -115,12 +109,11 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
         raise ValueError(f"a march needs at least one step, not {n_steps}")
     try:
         compiler = find_compiler()
-        graph, outputs = read_step(step)
-        kernel = write_kernel(graph, outputs)
+        kernel = write_kernel(*gather_products(*read_step(step)))
         march = CompiledMarch(
             kernel, compiler, step.size1_in(0), step.size1_in(1), n_steps
         )
-        march._library(is_single=True)
+        march._library()
     except (CompilerError, UnknownOperationError) as error:
         return NotCompiled(str(error))
     return march
@@ -129,8 +122,9 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
 def _padded(columns: FloatArray, lanes: int) -> FloatArray:
     """Return whole blocks of columns, row after row, the last column repeated."""
     missing = -columns.shape[1] % lanes
-    whole = np.pad(columns, ((0, 0), (0, missing)), mode="edge")
-    return np.ascontiguousarray(whole, dtype=np.float64)
+    if missing:
+        columns = np.pad(columns, ((0, 0), (0, missing)), mode="edge")
+    return np.ascontiguousarray(columns, dtype=np.float64)
 
 
 def _call(
@@ -155,10 +149,10 @@ def _call(
 
 
 @lru_cache(maxsize=64)
-def _load(source: str, defines: tuple[str, ...], compiler: Compiler) -> ctypes.CDLL:
+def _load(source: str, compiler: Compiler) -> ctypes.CDLL:
     headers = [_header("lanes.h"), _header("elementary.h")]
     count = "const int march_lanes_count = LANES;\n"
-    return load_library("\n".join([*headers, source, count]), defines, compiler)
+    return load_library("\n".join([*headers, source, count]), compiler)
 
 
 @lru_cache(maxsize=2)

@@ -42,8 +42,7 @@ class UnknownOperationError(Exception):
 
 def read_step(step: ca.Function) -> tuple[Graph, list[int]]:
     """Return the graph of a step and the places of the next state's entries."""
-    if not step.is_a("SXFunction"):
-        step = step.expand()
+    step = _scalar_and_dense(step)
     graph = Graph()
     algebra = Algebra(graph)
     places: dict[int, int] = {}
@@ -63,6 +62,16 @@ def read_step(step: ca.Function) -> tuple[Graph, list[int]]:
                 algebra, operation, [places[arg] for arg in args]
             )
     return graph, outputs
+
+
+def _scalar_and_dense(step: ca.Function) -> ca.Function:
+    """Return a step of scalar operations in which every entry has its place."""
+    if step.is_a("SXFunction") and step.sparsity_out(0).is_dense():
+        return step
+    state = ca.SX.sym("state", step.size1_in(0))
+    parameters = ca.SX.sym("parameters", step.size1_in(1))
+    state_next = ca.densify(step(state, parameters))
+    return ca.Function("dense_step", [state, parameters], [state_next])
 
 
 def _operate(algebra: Algebra, operation: int, args: list[int]) -> int:

@@ -21,25 +21,23 @@ from coupling_design.rollout.compiled.compiler import Compiler, CompilerError
 _KEY_SYMBOL = "march_key"
 
 
-def load_library(
-    source: str, defines: tuple[str, ...], compiler: Compiler
-) -> ctypes.CDLL:
+def load_library(source: str, compiler: Compiler) -> ctypes.CDLL:
     """Return the library of a source, from the cache or compiled now.
 
     Where the cache directory cannot be used the library lives in a temporary one.
     Raises CompilerError if it cannot be compiled or loaded.
     """
-    key = _digest("\0".join([source, *defines, compiler.identity]).encode())[:32]
+    key = _digest("\0".join([source, compiler.identity]).encode())[:32]
     source += f'\nconst char {_KEY_SYMBOL}[] = "{key}";\n'
     with contextlib.suppress(OSError):
         directory = _cache_directory()
         stored = _stored(directory, key)
         if stored is not None:
             return stored
-        return _open(_build(source, defines, compiler, directory, key), key)
+        return _open(_build(source, compiler, directory, key), key)
     with tempfile.TemporaryDirectory() as temporary:
         try:
-            library = _build(source, defines, compiler, Path(temporary), key)
+            library = _build(source, compiler, Path(temporary), key)
             return _open(library, key)  # stays loaded when its file is gone
         except OSError as error:
             raise CompilerError(f"cannot load what was compiled: {error}") from error
@@ -75,19 +73,13 @@ def _stored(directory: Path, key: str) -> ctypes.CDLL | None:
     return None
 
 
-def _build(
-    source: str,
-    defines: tuple[str, ...],
-    compiler: Compiler,
-    directory: Path,
-    key: str,
-) -> Path:
+def _build(source: str, compiler: Compiler, directory: Path, key: str) -> Path:
     """Compile into a directory and return the file, complete under its final name."""
     handle, name = tempfile.mkstemp(suffix=".part", prefix=f"{key}-", dir=directory)
     os.close(handle)
     part = Path(name)
     try:
-        compiler.build(source, defines, part)
+        compiler.build(source, part)
         with part.open("r+b") as file:
             digest = _digest(file.read())
             os.fsync(file.fileno())

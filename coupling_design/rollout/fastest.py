@@ -1,0 +1,21 @@
+"""The fastest marcher there is on this computer."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from coupling_design.rollout.compiled.march import NotCompiled, compile_march
+from coupling_design.rollout.marcher import Marcher, virtual_machine_marcher
+
+
+def fastest_marcher(step: ca.Function, n_steps: int) -> Marcher:
+    """Return a marcher of machine code, or else one on CasADi's virtual machine.
+
+    Its `engine` says which, and in one line why it is not machine code.
+    """
+    compiled = compile_march(step, n_steps)
+    if isinstance(compiled, NotCompiled):
+        interpreted = virtual_machine_marcher(step, n_steps)
+        reason = f"CasADi's virtual machine, many times slower: {compiled.reason}"
+        return Marcher(interpreted.run, reason)
+    return Marcher(compiled, "machine code")
