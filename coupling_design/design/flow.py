@@ -72,7 +72,7 @@ def run_design(
         chosen=chosen,
         strict_reading=_strict_reading(case, shown.performance) if shown else None,
         nearest=nearest,
-        nearest_criteria=_nearest_criteria(state),
+        nearest_criteria=_nearest_criteria(state) if nearest else (),
         assumptions=case.assumptions,
         engine=bench.engine,
         rollouts=bench.rollouts,
