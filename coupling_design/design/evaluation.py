@@ -20,8 +20,9 @@ from coupling_design.design.results import Performance
 from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
 from coupling_design.errors import SimulationError
+from coupling_design.rollout.fastest import fastest_marcher
 from coupling_design.rollout.march import march
-from coupling_design.rollout.marcher import Marcher, virtual_machine_marcher
+from coupling_design.rollout.marcher import Marcher
 from coupling_design.rollout.sensitivities import (
     join_sensitivities,
     with_sensitivities,
@@ -178,8 +179,8 @@ class Evaluator:
 
     @cached_property
     def _march(self) -> Marcher:
-        return virtual_machine_marcher(self._step, self._n_steps)
+        return fastest_marcher(self._step, self._n_steps)
 
     @cached_property
     def _march_with_sensitivities(self) -> Marcher:
-        return virtual_machine_marcher(with_sensitivities(self._step), self._n_steps)
+        return fastest_marcher(with_sensitivities(self._step), self._n_steps)

@@ -174,9 +174,8 @@ class Algebra:
             self.graph.is_constant(b) and self.graph[b].number == 0
         ):
             return None
-        inverse = self.apply("div", self.graph.constant(1.0), b)
-        is_inverse = self.graph.is_constant(a, 1.0)
-        return None if is_inverse else self.apply("mul", a, inverse)
+        one = self.graph.constant(1.0)
+        return None if a == one else self.apply("mul", a, self.apply("div", one, b))
 
     def _keep(self, condition: int, a: int) -> int | None:
         is_zero = self.graph.is_constant(a, 0.0)
