@@ -172,10 +172,23 @@ def _choose_starts(
 ) -> list[Performance]:
     """Return the best valley floors first, then the best of the rest."""
     ranked = best_first(problem, scanned)
-    floors = scanned if problem.space.gap_is_free else local_minima(problem, scanned)
+    floors = local_minima(problem, _best_gaps(problem, scanned))
     preferred = [p for p in ranked if any(p is floor for floor in floors)]
     others = [p for p in ranked if not any(p is floor for floor in floors)]
     return [*preferred, *others][:n_starts]
+
+
+def _best_gaps(
+    problem: DesignProblem, scanned: Sequence[Performance]
+) -> list[Performance]:
+    """Return the best point of a scan at each stiffness, by rising stiffness.
+
+    Damage hardly depends on a small gap: without this, all starts lie in one valley.
+    """
+    columns: dict[float, list[Performance]] = {}
+    for performance in scanned:
+        columns.setdefault(performance.torsional_stiffness, []).append(performance)
+    return [best_first(problem, columns[stiffness])[0] for stiffness in sorted(columns)]
 
 
 def _run_ipopt(problem: DesignProblem, start: Performance) -> _End:
