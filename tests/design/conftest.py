@@ -19,7 +19,7 @@ from coupling_design.design.state import FlowState, connection_option
 
 HERE = Path(__file__).parent
 CASES = HERE.parents[1] / "cases"
-SMALL_EFFORT = Effort(stiffnesses=12, stiffnesses_with_gap=5, gaps=3, starts=2)
+SMALL_EFFORT = Effort(stiffnesses=10, stiffnesses_with_gap=4, gaps=2, starts=2)
 
 
 @pytest.fixture(scope="session")
@@ -50,9 +50,15 @@ def hopeless(quick):
 
 
 @pytest.fixture(scope="session")
-def paper():
+def shipped():
+    """Return a case that ships with the tool."""
+    return lambda name: load_case(CASES / name)
+
+
+@pytest.fixture(scope="session")
+def paper(shipped):
     """The 16V280 set."""
-    return load_case(CASES / "16v280.yaml")
+    return shipped("16v280.yaml")
 
 
 @pytest.fixture(scope="session")

@@ -69,6 +69,16 @@ def test_a_gap_that_is_free_is_a_variable(landscape):
     assert np.log(found.performance.torsional_stiffness) == pytest.approx(2.1, abs=1e-2)
 
 
+def test_starts_with_the_gap_free_are_spread_over_the_valleys(landscape):
+    """Where the gap hardly matters, the best points of a scan share one stiffness."""
+    flat = landscape(
+        lambda k, gap: two_valleys(k, gap) + 0.01 * gap, DAMAGE, gap=(2e-5, 2e-4)
+    )
+    found = solved(flat, starts=2)
+    assert np.log(found.performance.torsional_stiffness) == pytest.approx(3.5, abs=0.05)
+    assert found.starts_agreeing == 1
+
+
 def test_a_bound_that_holds_the_point_is_named(landscape):
     found = solved(landscape(lambda k, gap: -k, DAMAGE))
     assert found.performance.torsional_stiffness == pytest.approx(100.0, rel=1e-3)
@@ -201,3 +211,14 @@ def test_the_smallest_load_at_a_bound_is_found(landscape, force_limit):
     found = smallest_load(program, scan_of(program), 1)
     assert found.performance.torsional_stiffness == 1.0
     assert found.active_constraints == ("torsional stiffness at its lower bound",)
+
+
+def test_a_rollout_that_diverges_is_not_told_by_casadi(landscape, capfd):
+    program = landscape(bowl, DAMAGE)
+    program.evaluator.totals_and_jacobian = lambda *point: (
+        np.full(5, np.nan),
+        np.full((5, 2), np.nan),
+    )
+    found = solved(program, starts=1)
+    assert found.solver_status == "Invalid_Number_Detected"
+    assert capfd.readouterr() == ("", "")

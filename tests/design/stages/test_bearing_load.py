@@ -1,0 +1,89 @@
+from dataclasses import replace
+
+import pytest
+
+from coupling_design.case.case import LoadLimitReading, Plan
+from coupling_design.design.results import Decision
+from coupling_design.design.stages.bearing_load import limit_bearing_load
+from coupling_design.design.state import AllowedType
+
+
+@pytest.fixture(scope="module")
+def examine(start_of):
+    def after(case, stiffness=(1e3, 1.1e4)):
+        elastic = (AllowedType(case.coupling_types[0], stiffness),)
+        return limit_bearing_load(replace(start_of(case), elastic=elastic))
+
+    return after
+
+
+@pytest.fixture(scope="module")
+def failed(quick, examine):
+    return examine(quick)
+
+
+@pytest.fixture(scope="module")
+def passed(calm, examine):
+    return examine(calm)
+
+
+def test_an_elastic_type_below_the_limit_passes(passed):
+    assert passed.steps[-1].decision is Decision.PASS
+    assert passed.solution.plan is Plan.ELASTIC
+    assert all(c.passes for c in passed.steps[-1].criteria)
+
+
+def test_what_passes_is_at_the_present_gap(passed):
+    assert passed.solution.optimum.performance.key_gap == 1e-4
+    assert passed.solution.candidate.label == "rubber, key"
+
+
+def test_least_damage_is_told_with_its_search(passed):
+    optimum = passed.steps[-1].optimum
+    assert optimum.objective == "damage"
+    assert optimum.scan_points == 10
+    assert optimum.conditioning is not None
+
+
+def test_an_elastic_type_above_the_limit_fails(failed):
+    step = failed.steps[-1]
+    assert step.decision is Decision.FAIL
+    assert failed.solution is None
+    assert failed.nearest is step.optimum
+    assert not all(c.passes for c in step.criteria)
+
+
+def test_the_evidence_is_the_smallest_peak_with_either_gap(failed):
+    present, closed = failed.steps[-1].alternatives
+    assert present.performance.key_gap == 1e-4
+    assert closed.performance.key_gap == 0.0
+    limit = failed.steps[-1].criteria[-1].limit
+    assert present.performance.peak_transmission_force > limit
+    assert closed.performance.peak_transmission_force > limit
+    assert not present.passes
+    assert not closed.passes
+
+
+def test_no_other_stiffness_has_a_smaller_peak(quick, failed, evaluator):
+    """A dense scan may find less where rattling is rough, but not below the limit."""
+    points = [(1e3 * 11 ** (i / 99), 1e-4) for i in range(100)]
+    scan = evaluator(quick, "rubber", "key").performances(points)
+    smallest = min(p.peak_transmission_force for p in scan)
+    found = failed.steps[-1].optimum.performance.peak_transmission_force
+    assert smallest > failed.steps[-1].criteria[-1].limit
+    assert found < 1.1 * smallest
+
+
+def test_the_strict_reading_holds_both_bearings(calm, examine):
+    strict = replace(calm, reading=LoadLimitReading.COMBINED_LOAD)
+    names = [c.name for c in examine(strict).steps[-1].criteria]
+    assert names[-2:] == [
+        "peak combined load, Drive end",
+        "peak combined load, Other end",
+    ]
+
+
+def test_with_no_elastic_type_the_step_is_skipped(quick, start_of):
+    state = limit_bearing_load(start_of(quick))
+    assert state.steps[-1].decision is Decision.SKIPPED
+    assert state.solution is None
