@@ -1,0 +1,84 @@
+"""The couplings that every study compares, as evaluators of a case."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+from coupling_design.case import ConnectionKind, Plan
+from coupling_design.case.case import Case
+from coupling_design.design.baseline import present_candidate
+from coupling_design.design.candidate import Candidate
+from coupling_design.design.constraints import high_frequency_constraint
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.results import Performance
+from coupling_design.design.state import connection_option
+from coupling_design.driveline.dynamics import reduced_inertia
+from coupling_design.driveline.history import History, simulate
+
+
+@functools.cache
+def evaluator(case: Case, candidate: Candidate) -> Evaluator:
+    """Return the evaluator of a candidate, built once."""
+    return Evaluator(case, candidate)
+
+
+def present(case: Case) -> Evaluator:
+    """Return the present coupling in the present connection."""
+    return evaluator(case, present_candidate(case))
+
+
+def present_tightly_fitted(case: Case) -> Evaluator:
+    """Return the present coupling with its hub shrunk on: no key, no gap."""
+    tight = connection_option(case, ConnectionKind.TIGHT_FIT)
+    return evaluator(case, Candidate(present_candidate(case).coupling_type, tight))
+
+
+def present_point(case: Case) -> tuple[float, float]:
+    """Return present stiffness [N m/rad] and gap [m]."""
+    driveline = case.driveline
+    return driveline.coupling.torsional_stiffness, getattr(
+        driveline.connection, "gap", 0.0
+    )
+
+
+@functools.cache
+def present_performance(case: Case) -> Performance:
+    """Return what the present coupling does."""
+    return present(case).performance(*present_point(case))
+
+
+def high_stiffness(case: Case) -> Evaluator:
+    """Return the first coupling of the high-stiffness plan, tightly fitted."""
+    stiff = next(t for t in case.coupling_types if t.plan is Plan.HIGH_STIFFNESS)
+    tight = connection_option(case, ConnectionKind.TIGHT_FIT)
+    return evaluator(case, Candidate(stiff, tight))
+
+
+def required_stiffness(case: Case) -> float:
+    """Return the lowest stiffness that step 4 admits in a tight fit [N m/rad]."""
+    omega = 2 * math.pi * float(high_frequency_constraint(case).limit)
+    return omega**2 * float(reduced_inertia(case.driveline))
+
+
+@functools.cache
+def high_stiffness_performance(case: Case) -> Performance:
+    """Return what the high-stiffness coupling does at the lowest stiffness admitted."""
+    return high_stiffness(case).performance(required_stiffness(case), 0.0)
+
+
+def history_of(candidate: Evaluator, stiffness: float, gap: float) -> History:
+    """Return the history of a design point's run-down."""
+    return simulate(candidate.driveline(stiffness, gap), candidate.case.shutdown)
+
+
+@functools.cache
+def present_history(case: Case) -> History:
+    """Return the history of the present coupling's run-down."""
+    return history_of(present(case), *present_point(case))
+
+
+@functools.cache
+def high_stiffness_history(case: Case) -> History:
+    """Return the history with the high-stiffness coupling."""
+    return history_of(high_stiffness(case), required_stiffness(case), 0.0)
