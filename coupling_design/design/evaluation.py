@@ -120,6 +120,11 @@ class Evaluator:
         return Evaluator(self.case, self.candidate, 2 * self.refinement)
 
     @property
+    def is_compiled(self) -> bool:
+        """Whether the rollouts run as machine code."""
+        return self._march.is_compiled
+
+    @property
     def engine(self) -> str:
         """What does the rollouts, in words."""
         return self._march.engine

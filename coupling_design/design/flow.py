@@ -17,7 +17,13 @@ from coupling_design.design.results import (
     LoadReading,
     Performance,
 )
-from coupling_design.design.search import Effort, Progress, Workbench
+from coupling_design.design.search import (
+    CLOSE,
+    COARSE,
+    Effort,
+    Progress,
+    Workbench,
+)
 from coupling_design.design.stability import check_time_step
 from coupling_design.design.stages.bearing_load import limit_bearing_load
 from coupling_design.design.stages.coupling_types import (
@@ -56,9 +62,10 @@ def run_design(
     """
     began = time.perf_counter()
     check_time_step(case)
-    bench = Workbench(case, progress, effort or Effort())
+    bench = Workbench(case, progress)
     progress("present coupling")
     state = FlowState(case, bench, evaluate_baseline(bench))
+    bench.effort = effort or (CLOSE if bench.is_compiled else COARSE)
     for number, stage in enumerate(STAGES, start=1):
         bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
         state = stage(state)

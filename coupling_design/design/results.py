@@ -133,6 +133,21 @@ class Alternative:
 
 
 @dataclass(frozen=True)
+class DesignMap:
+    """Damage [-] and peak force [N] over stiffness [N m/rad] and gap [m].
+
+    `damage` and `peak_transmission_force` have a row for each gap, with an entry for
+    each stiffness.
+    """
+
+    name: str
+    torsional_stiffness: tuple[float, ...]
+    key_gap: tuple[float, ...]
+    damage: tuple[tuple[float, ...], ...]
+    peak_transmission_force: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
 class StepResult:
     """What one step of the flow asked and found.
 
@@ -148,6 +163,7 @@ class StepResult:
     findings: tuple[str, ...] = ()
     caveats: tuple[str, ...] = ()
     optimum: Optimum | None = None
+    maps: tuple[DesignMap, ...] = ()
 
 
 @dataclass(frozen=True)

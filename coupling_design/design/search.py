@@ -26,14 +26,21 @@ Progress = Callable[[str], None]
 class Effort:
     """How closely a search looks: scan points, and starts for Ipopt.
 
-    `stiffnesses` is the number of points along stiffness when the gap is fixed,
-    `stiffnesses_with_gap` x `gaps` when it is not.
+    `stiffnesses` is the number of points along stiffness when the gap is fixed, by
+    `survey_gaps` in a survey of the plane; `stiffnesses_with_gap` x `gaps` is the
+    scan before an optimisation over both.
     """
 
-    stiffnesses: int = 32
-    stiffnesses_with_gap: int = 11
-    gaps: int = 4
-    starts: int = 3
+    stiffnesses: int
+    survey_gaps: int
+    stiffnesses_with_gap: int
+    gaps: int
+    starts: int
+
+
+# What a minute affords without machine code, and what a few seconds afford with it.
+COARSE = Effort(32, 2, 11, 4, 3)
+CLOSE = Effort(64, 32, 16, 8, 3)
 
 
 @dataclass
@@ -42,7 +49,7 @@ class Workbench:
 
     case: Case
     progress: Progress
-    effort: Effort = field(default_factory=Effort)
+    effort: Effort = COARSE
     _evaluators: dict[Candidate, Evaluator] = field(default_factory=dict)
 
     def evaluator(self, candidate: Candidate) -> Evaluator:
@@ -55,6 +62,11 @@ class Workbench:
     def rollouts(self) -> int:
         """How many run-downs have been rolled out, at the paper's step."""
         return sum(evaluator.rollouts for evaluator in self._evaluators.values())
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether the rollouts run as machine code."""
+        return all(e.is_compiled for e in self._evaluators.values() if e.rollouts)
 
     @property
     def engine(self) -> str:

@@ -13,6 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from coupling_design.design.activity import active_constraints
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.problem import DesignProblem
 from coupling_design.design.results import Optimum, Performance
@@ -38,12 +39,9 @@ _IPOPT: dict[str, Any] = {
     "print_level": 0,
     "sb": "yes",
 }
-# A bound or constraint holds the point if it is this near, in scaled terms.
-_ACTIVE = 1e-4
 # Starts agree when they end this near in objective (a ratio, as it is a logarithm or
 # of order one) and in every scaled variable.
 _SAME_OBJECTIVE, _SAME_POINT = 1e-3, 1e-2
-_SEARCH_ITERATIONS = 15
 # The program's limits lie a little inside the scan's: less than this is no win.
 _TIE = 1e-5
 _CONVERGED = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
@@ -87,64 +85,9 @@ def optimise(
         scan_points=len(scanned),
         rollouts=rollouts,
         kkt_residual=end.residual if by_ipopt else None,
-        active_constraints=_active(problem, winner),
+        active_constraints=active_constraints(problem, winner),
         conditioning=conditioning(problem.evaluator, winner),
     )
-
-
-def smallest_load(
-    problem: DesignProblem, scanned: Sequence[Performance], n_valleys: int
-) -> Optimum:
-    """Return the point of smallest load over stiffness, at a fixed gap.
-
-    The largest of 120 000 loads has a kink wherever another one takes the lead, so
-    the best valleys of the scan are searched without derivatives.
-    """
-    before = problem.evaluator.rollouts
-    floors = best_first(problem, local_minima(problem, scanned))[:n_valleys]
-    ends = [_bounded_search(problem, scanned, floor) for floor in floors]
-    rollouts = problem.evaluator.rollouts - before
-    winner = best_first(problem, ends)[0]
-    same = [abs(float(problem.value(end) - problem.value(winner))) for end in ends]
-    return Optimum(
-        objective=problem.objective.value,
-        performance=winner,
-        connection=problem.evaluator.candidate.connection.kind.value,
-        coupling_type=problem.evaluator.candidate.coupling_type.name,
-        method="bounded search",
-        solver_status="not used",
-        starts=len(ends),
-        starts_agreeing=sum(difference <= _SAME_OBJECTIVE for difference in same),
-        scan_points=len(scanned),
-        rollouts=rollouts,
-        kkt_residual=None,
-        active_constraints=_active(problem, winner),
-        conditioning=conditioning(problem.evaluator, winner),
-    )
-
-
-def _bounded_search(
-    problem: DesignProblem, scanned: Sequence[Performance], floor: Performance
-) -> Performance:
-    """Return the best point between the neighbours of a valley's floor."""
-    from scipy.optimize import minimize_scalar
-
-    at = next(i for i, performance in enumerate(scanned) if performance is floor)
-    neighbours = scanned[max(at - 1, 0)], scanned[min(at + 1, len(scanned) - 1)]
-    seen = [floor]
-
-    def value(log_stiffness: float) -> float:
-        stiffness = float(np.exp(log_stiffness))
-        seen.append(problem.evaluator.performance(stiffness, floor.key_gap))
-        return float(problem.value(seen[-1]))
-
-    minimize_scalar(
-        value,
-        bounds=[float(np.log(p.torsional_stiffness)) for p in neighbours],
-        method="bounded",
-        options={"xatol": _SAME_POINT * 0.1, "maxiter": _SEARCH_ITERATIONS},
-    )
-    return best_first(problem, seen)[0]
 
 
 def _is_ipopts(problem: DesignProblem, end: _End, scanned: Performance) -> bool:
@@ -248,17 +191,3 @@ def _count_agreeing(
         return difference <= _SAME_OBJECTIVE and distance <= _SAME_POINT
 
     return sum(bool(agrees(end)) for end in ends)
-
-
-def _active(problem: DesignProblem, performance: Performance) -> tuple[str, ...]:
-    names = ["torsional stiffness", "key gap"]
-    scaled = problem.space.scaled(performance.torsional_stiffness, performance.key_gap)
-    active = [
-        f"{name} at its {'upper' if value > 0.5 else 'lower'} bound"
-        for name, value in zip(names, scaled, strict=False)
-        if min(value, 1 - value) <= _ACTIVE
-    ]
-    active += [
-        c.name for c in problem.binding if abs(float(c.excess(performance))) <= _ACTIVE
-    ]
-    return tuple(active)

@@ -16,6 +16,7 @@ from coupling_design.design.results import (
     Baseline,
     ChosenDesign,
     Criterion,
+    DesignMap,
     DesignOutcome,
     LoadReading,
     Optimum,
@@ -163,6 +164,17 @@ def _step(result: StepResult) -> dict[str, Any]:
         "alternatives": [_alternative(each) for each in result.alternatives],
         "findings": list(result.findings),
         "caveats": list(result.caveats),
+        "maps": [_map(map_) for map_ in result.maps],
+    }
+
+
+def _map(map_: DesignMap) -> dict[str, Any]:
+    return {
+        "name": map_.name,
+        "torsional_stiffness": list(map_.torsional_stiffness),
+        "key_gap": list(map_.key_gap),
+        "damage": [list(row) for row in map_.damage],
+        "peak_transmission_force": [list(row) for row in map_.peak_transmission_force],
     }
 
 

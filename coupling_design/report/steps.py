@@ -12,6 +12,7 @@ from coupling_design.design.results import Conditioning, Decision, Optimum, Step
 from coupling_design.report.blocks import bullets, facts, panel, titled
 from coupling_design.report.criteria import render_criteria
 from coupling_design.report.damages import damage_e6
+from coupling_design.report.maps import render_map
 from coupling_design.report.numbers import change
 from coupling_design.report.performances import render_alternatives, render_design
 from coupling_design.report.words import words
@@ -27,6 +28,7 @@ def render_step(result: StepResult) -> Panel:
             Text(result.question, style="italic"),
             bullets("Examined", result.findings),
             render_alternatives(result.alternatives),
+            *(render_map(map_) for map_ in result.maps),
             None if result.optimum is None else render_optimum(result.optimum),
             render_criteria("Limits", result.criteria),
             bullets("Caveats", result.caveats),

@@ -18,4 +18,4 @@ def fastest_marcher(step: ca.Function, n_steps: int) -> Marcher:
         interpreted = virtual_machine_marcher(step, n_steps)
         reason = f"CasADi's virtual machine, many times slower: {compiled.reason}"
         return Marcher(interpreted.run, reason)
-    return Marcher(compiled, "machine code")
+    return Marcher(compiled, "machine code", is_compiled=True)

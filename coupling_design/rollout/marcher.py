@@ -27,6 +27,7 @@ class Marcher:
 
     run: Batch
     engine: str
+    is_compiled: bool = False
 
     def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
         """Return the states at the end."""

@@ -14,6 +14,7 @@ from coupling_design.design.results import (
     Conditioning,
     Criterion,
     Decision,
+    DesignMap,
     DesignOutcome,
     LoadReading,
     Optimum,
@@ -78,6 +79,15 @@ SCANNED = replace(
     active_constraints=(),
     conditioning=None,
 )
+MAP = DesignMap(
+    "steel-spring, key",
+    torsional_stiffness=tuple(0.25e6 + 0.05e6 * i for i in range(12)),
+    key_gap=(0.0, 0.14e-3, 0.28e-3),
+    damage=tuple(tuple(1e-9 * (i + j + 1) for j in range(12)) for i in range(3)),
+    peak_transmission_force=tuple(
+        tuple(1e3 * (50 + i + j) for j in range(12)) for i in range(3)
+    ),
+)
 NEAREST = replace(
     OPTIMUM, performance=PRESENT, connection="key", coupling_type="steel-spring"
 )
@@ -112,6 +122,7 @@ STEPS = (
             ),
         ),
         optimum=SCANNED,
+        maps=(MAP,),
     ),
     StepResult(
         4,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from coupling_design.case.case import Case, Plan
 from coupling_design.design.candidate import Candidate
@@ -16,12 +16,11 @@ from coupling_design.design.problem import (
 from coupling_design.design.results import (
     Alternative,
     Decision,
+    DesignMap,
     Optimum,
-    Performance,
     StepResult,
 )
-from coupling_design.design.search import count_valleys, look, problem, search
-from coupling_design.design.solve import smallest_load
+from coupling_design.design.search import count_valleys, problem, search
 from coupling_design.design.state import (
     AllowedType,
     FlowState,
@@ -30,6 +29,8 @@ from coupling_design.design.state import (
     gap_nearest_present,
     options_of,
 )
+from coupling_design.design.survey import Survey, survey
+from coupling_design.design.valleys import smallest_load
 
 TITLE = "Bearing load"
 QUESTION = (
@@ -71,6 +72,7 @@ class _Trial:
     load_ratio: float
     alternatives: tuple[Alternative, ...]
     findings: tuple[str, ...]
+    map: DesignMap
     solution: Solution | None
 
 
@@ -88,53 +90,54 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     space = DesignSpace(allowed.stiffness, (gap, gap))
     limits = _limits(case)
     least_load = problem(bench, candidate, space, Objective.PEAK, limits)
-    scanned = look(bench, least_load)
+    plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
+    scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
     lowest = smallest_load(least_load, scanned, bench.effort.starts)
     ratio = float(least_load.load_ratio(lowest.performance))
-    findings = (_scan_finding(candidate, least_load, scanned),)
-    evidence = _evidence("at the present gap", lowest, ratio)
+    trial = _Trial(
+        optimum=lowest,
+        load_ratio=ratio,
+        alternatives=_evidence("at the present gap", lowest, ratio),
+        findings=(_scan_finding(candidate, least_load, plane),),
+        map=plane.design_map(candidate.label),
+        solution=None,
+    )
     if ratio > 1.0:
-        evidence += _with_gap_closed(state, candidate, space)
-        return _Trial(lowest, ratio, evidence, findings, None)
+        closed = _with_gap_closed(state, least_load, plane)
+        return replace(trial, alternatives=(*trial.alternatives, *closed))
     bench.progress(f"least damage of {candidate.label}")
     damage = problem(bench, candidate, space, Objective.DAMAGE, limits)
     best = search(bench, damage, scanned)
     if not damage.is_feasible(best.performance):
-        return _Trial(lowest, ratio, evidence, findings, None)
+        return trial
     solution = Solution(Plan.ELASTIC, candidate, allowed, best, limits)
-    return _Trial(best, ratio, evidence, findings, solution)
+    return replace(trial, optimum=best, solution=solution)
 
 
 def _limits(case: Case) -> tuple[Constraint, ...]:
     return (*isolation_constraints(case), *load_constraints(case))
 
 
-def _scan_finding(
-    candidate: Candidate, program: DesignProblem, scanned: tuple[Performance, ...]
-) -> str:
+def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -> str:
     low, high = (stiffness / 1e6 for stiffness in program.space.stiffness)
-    valleys = count_valleys(program, scanned)
+    valleys = count_valleys(program, plane.largest_gap)
     return (
-        f"{candidate.label}: {len(scanned)} stiffnesses from {low:.4g} to {high:.4g} "
-        f"MN*m/rad show {valleys} valley{'' if valleys == 1 else 's'} of damage."
+        f"{candidate.label}: {len(plane.largest_gap)} stiffnesses from {low:.4g} to "
+        f"{high:.4g} MN*m/rad at each of {len(plane.rows)} gaps; at the present gap "
+        f"damage has {valleys} valley{'' if valleys == 1 else 's'}."
     )
 
 
 def _with_gap_closed(
-    state: FlowState, candidate: Candidate, space: DesignSpace
+    state: FlowState, program: DesignProblem, plane: Survey
 ) -> tuple[Alternative, ...]:
-    if space.gap[1] == 0.0:
+    if program.space.gap[1] == 0.0:
         return ()
-    state.bench.progress(f"least load of {candidate.label} with the gap closed")
-    closed = problem(
-        state.bench,
-        candidate,
-        DesignSpace(space.stiffness, (0.0, 0.0)),
-        Objective.PEAK,
-        _limits(state.case),
-    )
-    lowest = smallest_load(closed, look(state.bench, closed), n_valleys=1)
+    label = program.evaluator.candidate.label
+    state.bench.progress(f"least load of {label} with the gap closed")
+    closed = replace(program, space=replace(program.space, gap=(0.0, 0.0)))
+    lowest = smallest_load(closed, plane.smallest_gap, n_valleys=1)
     ratio = float(closed.load_ratio(lowest.performance))
     return _evidence("with the gap closed", lowest, ratio)
 
@@ -178,4 +181,5 @@ def _result(
         findings=tuple(f for trial in trials for f in trial.findings),
         caveats=_closed_gap_caveat(trials),
         optimum=shown.optimum,
+        maps=tuple(trial.map for trial in trials),
     )

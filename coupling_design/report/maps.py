@@ -1,0 +1,65 @@
+"""The map of damage and peak force over stiffness and gap, thinned to fit a page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from coupling_design.design.results import DesignMap
+from coupling_design.report.blocks import table, titled
+from coupling_design.report.damages import damage_e6
+from coupling_design.report.units import quantity
+
+_COLUMNS, _ROWS = 6, 5
+_SMALL_DIGITS = 3
+
+
+def render_map(map_: DesignMap) -> Group:
+    """Return a map as two small tables: a row for each gap, a column each stiffness."""
+    columns = spread(len(map_.torsional_stiffness), _COLUMNS)
+    rows = spread(len(map_.key_gap), _ROWS)
+    points = len(map_.torsional_stiffness) * len(map_.key_gap)
+    return titled(
+        f"Map of {map_.name}: {points} rollouts, {len(rows) * len(columns)} of them "
+        "shown, all in design.json",
+        Group(
+            Text("damage in the paper's unit (D x 1e6) over gap and C_Tdyn [MN*m/rad]"),
+            _grid(map_, map_.damage, rows, columns, _damage),
+            Text(),
+            Text("peak F_c [kN]"),
+            _grid(map_, map_.peak_transmission_force, rows, columns, _force),
+        ),
+    )
+
+
+def spread(count: int, shown: int) -> tuple[int, ...]:
+    """Return at most `shown` indices spread over `count`, both ends among them."""
+    if count <= shown:
+        return tuple(range(count))
+    return tuple(round(i * (count - 1) / (shown - 1)) for i in range(shown))
+
+
+def _damage(value: float) -> str:
+    return damage_e6(value, _SMALL_DIGITS)
+
+
+def _force(value: float) -> str:
+    return quantity(value, "N")
+
+
+def _grid(
+    map_: DesignMap,
+    values: Sequence[Sequence[float]],
+    rows: Sequence[int],
+    columns: Sequence[int],
+    show: Callable[[float], str],
+) -> Table:
+    stiffnesses = [quantity(map_.torsional_stiffness[j], "N*m/rad") for j in columns]
+    grid = table([], ["gap mm", *stiffnesses], [])
+    for i in rows:
+        shown = [show(values[i][j]) for j in columns]
+        grid.add_row(quantity(map_.key_gap[i], "m"), *shown)
+    return grid

@@ -1,0 +1,24 @@
+"""The map over stiffness and gap, thinned to fit a page."""
+
+from coupling_design.report.console import plain_text
+from coupling_design.report.maps import render_map, spread
+from tests.report.conftest import MAP
+
+
+def test_spread_keeps_both_ends():
+    assert spread(12, 6) == (0, 2, 4, 7, 9, 11)
+
+
+def test_spread_shows_all_there_is():
+    assert spread(3, 5) == (0, 1, 2)
+
+
+def test_map_says_how_much_of_it_is_shown():
+    assert "36 rollouts, 18 of them shown" in plain_text(render_map(MAP), 80)
+
+
+def test_map_shows_damage_and_peak_at_its_corner():
+    text = plain_text(render_map(MAP), 80)
+    assert "0.2800" in text
+    assert "0.0140" in text  # D x 1e6 = (2 + 11 + 1) e-3
+    assert "63.00" in text  # 50 + 2 + 11 kN
