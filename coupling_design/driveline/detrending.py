@@ -10,7 +10,7 @@ Sources
 
 Window and order are a choice of ours:
 
-* Collisions ring on for some 20 ms at about 1 kHz, the resonance swings at about 10 Hz.
+* Collisions ring on for some 20 ms at 0.5 to 1 kHz, the resonance swings at 8 to 10 Hz.
   Over an eighth of its period a parabola misses a swing of amplitude A by 0.4 % of A
   (0.4 / 6 (pi/8)^3) and a burst of ringing by nearly nothing: `collision_force`.
 * Over four periods of the resonance a parabola follows the deceleration and leaves the
