@@ -19,7 +19,12 @@ from coupling_design.design.state import FlowState, connection_option
 
 HERE = Path(__file__).parent
 CASES = HERE.parents[1] / "cases"
-SMALL_EFFORT = Effort(stiffnesses=10, stiffnesses_with_gap=4, gaps=2, starts=2)
+SMALL_EFFORT = Effort(
+    stiffnesses=10, survey_gaps=2, stiffnesses_with_gap=4, gaps=2, starts=2
+)
+TINY_EFFORT = Effort(
+    stiffnesses=3, survey_gaps=2, stiffnesses_with_gap=2, gaps=2, starts=1
+)
 
 
 @pytest.fixture(scope="session")
@@ -87,6 +92,12 @@ def candidate():
 def evaluator(candidate):
     """Return a new evaluator of a case's candidate."""
     return lambda case, *names: Evaluator(case, candidate(case, *names))
+
+
+@pytest.fixture(scope="session")
+def tiny_effort():
+    """As little as a search can do."""
+    return TINY_EFFORT
 
 
 @pytest.fixture(scope="session")

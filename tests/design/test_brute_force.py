@@ -73,7 +73,7 @@ def test_a_coupling_that_rattles(quick, both):
     """Rattling roughens damage: a grid finds a better spike here, but no valley."""
     limits = isolation_constraints(quick)
     found, least = both(quick, ("rubber", "key"), (1e-4, 1e-4), limits, 100)
-    assert found <= 1.1 * least
+    assert found <= 1.25 * least
 
 
 @pytest.mark.slow

@@ -8,7 +8,6 @@ from coupling_design.design.constraints import (
 )
 from coupling_design.design.problem import DesignSpace, Objective
 from coupling_design.design.search import (
-    Effort,
     Workbench,
     count_valleys,
     look,
@@ -66,9 +65,9 @@ def test_a_look_with_the_gap_free_covers_both(elastic):
     assert gaps == pytest.approx([2e-5, 1e-4])
 
 
-def test_a_look_tells_what_is_looked_at(quick, candidate):
+def test_a_look_tells_what_is_looked_at(quick, candidate, tiny_effort):
     messages = []
-    workbench = Workbench(quick, messages.append, Effort(stiffnesses=2))
+    workbench = Workbench(quick, messages.append, tiny_effort)
     names = candidate(quick, "rubber", "key")
     look(workbench, problem(workbench, names, ELASTIC, Objective.DAMAGE, ()))
     assert messages == ["scanning rubber, key"]

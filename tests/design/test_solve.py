@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 from coupling_design.design import solve
 from coupling_design.design.problem import Objective
 from coupling_design.design.scan import best_first, grid
-from coupling_design.design.solve import optimise, smallest_load
+from coupling_design.design.solve import optimise
+from coupling_design.design.valleys import smallest_load
 from coupling_design.errors import SimulationError
 
 DAMAGE, PEAK, STIFFNESS = Objective.DAMAGE, Objective.PEAK, Objective.STIFFNESS
