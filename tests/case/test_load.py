@@ -112,8 +112,8 @@ def test_every_field(load, valid):
 def test_damping_laws(paper):
     laws = [coupling_type.damping_law for coupling_type in paper.coupling_types]
     assert laws == [
-        ProportionalDamping(0.65, 290.0),
-        ProportionalDamping(0.65, 290.0),
+        ProportionalDamping(0.821, 290.0),
+        ProportionalDamping(0.821, 290.0),
         LossFactorDamping(0.02),
     ]
     assert paper.driveline.coupling.damping_law == laws[0]
@@ -191,7 +191,7 @@ def test_provenance_of_a_value(paper):
     assert (gap.text, gap.unit, gap.source) == ("0.28 mm", "m", Source.PAPER)
     assert gap.value == pytest.approx(0.28e-3)
     cleanliness = by_path["lubrication.cleanliness"]
-    assert (cleanliness.value, cleanliness.unit) == ("severe", "")
+    assert (cleanliness.value, cleanliness.unit) == ("slight_typical", "")
     assert by_path["driveline.excitation[1].order"].text == "8.0"
 
 
