@@ -25,20 +25,18 @@ def march(step: ca.Function, n_steps: int) -> ca.Function:
     -------
     function with the same ports; its memory does not grow with n_steps
     """
-    block, total = step, None
-    remaining = n_steps
+    if n_steps < 1:
+        raise ValueError(f"a march needs at least one step, not {n_steps}")
+    total: ca.Function | None = None
+    block, remaining = step, n_steps
     while True:
         remaining, digit = divmod(remaining, _BASE)
         if digit:
             part = _repeat(block, digit)
             total = part if total is None else _compose(total, part)
         if not remaining:
-            break
+            return total or step  # at least one digit is not zero
         block = _repeat(block, _BASE)
-    if total is None:
-        message = f"a march needs at least one step, not {n_steps}"
-        raise ValueError(message)
-    return total
 
 
 def _repeat(function: ca.Function, times: int) -> ca.Function:

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-# Names a compiler to use instead of the one found, or "none" for no compiler.
+# Names a compiler to use instead of the one found, with arguments of its own if wanted,
+# or "none" for no compiler.
 VARIABLE = "COUPLING_DESIGN_COMPILER"
 
 _NAMES = ("cc", "gcc", "clang")
@@ -40,7 +41,7 @@ class Compiler:
 
     Attributes
     ----------
-    command : the program and its first arguments
+    command : the program and arguments that overrule the usual ones
     identity : version of the compiler, its flags and the processor
     """
 
@@ -50,9 +51,10 @@ class Compiler:
     def build(self, source: str, library: Path) -> None:
         """Write the shared library of a source, or raise CompilerError."""
         arguments = [
-            *self.command,
+            self.command[0],
             *_FLAGS,
             *_processor_flags(),
+            *self.command[1:],
             "-x",
             "c",
             "-",
@@ -89,7 +91,9 @@ def _identity(command: tuple[str, ...]) -> str:
     done = _run([*command, "--version"])
     if done.returncode != 0:
         raise CompilerError(f"{command[0]} --version failed: {_gist(done.stderr)}")
-    return "\n".join([done.stdout, *_FLAGS, *_processor_flags(), _processor()])
+    return "\n".join(
+        [done.stdout, *command, *_FLAGS, *_processor_flags(), _processor()]
+    )
 
 
 def _run(arguments: list[str], text: str = "") -> subprocess.CompletedProcess[str]:

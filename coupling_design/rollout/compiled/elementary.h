@@ -1,6 +1,6 @@
 /* Elementary functions of lanes, without branches on a lane's value: a lane's result is
- * the same at any width. Within 2 units in the last place unless said otherwise; NaN
- * and infinity come out as they should. Numbers below the smallest normal one count
+ * the same at any width. Within 2.5 units in the last place unless said otherwise;
+ * NaN and infinity come out as they should. Numbers below the smallest normal one count
  * as zero. Coefficients interpolate at Chebyshev nodes, computed with 60 digits.
  */
 
@@ -74,13 +74,18 @@ INLINE Real lane_log(Real x)
     return choose(less(x, splat(0x1p-1022)), below, y);
 }
 
-/* sin(x) = (-1)^k sin(x - k pi). The first two parts of pi times k are exact up to
- * |x| = 1e8; beyond that accuracy is lost slowly. */
+/* sin(x) = (-1)^k sin(x - k pi). Pi comes in parts whose product with k is exact, in
+ * one rounding or, up to |x| = 1e8, in two. */
 INLINE Real sin_reduced(Real x, Real k, Bits sign)
 {
+#ifdef ROUNDS_ONCE
+    Real r = fused(k, splat(-0x1.921fb54442d18p1), x);
+    r = fused(k, splat(-0x1.1a62633145c07p-53), r);
+#else
     Real r = fused(k, splat(-0x1.921fb54p1), x);
     r = fused(k, splat(-0x1.10b461p-29), r);
     r = fused(k, splat(-0x1.a62633145c06ep-57), r);
+#endif
     Real z = r * r, z2 = z * z;
     Real a = fused(z, splat(0x1.1111111111107p-7), splat(-0x1.5555555555555p-3));
     Real b = fused(z, splat(0x1.71de3a5453a9cp-19), splat(-0x1.a01a01a018a6bp-13));

@@ -48,11 +48,14 @@ INLINE Real splat(double x) { return x - (Real){0}; }
 #endif
 
 /* a * b + c in one rounding where the processor can, the same at any width. */
+#if defined(__FMA__) || defined(__aarch64__)
+#define ROUNDS_ONCE
+#endif
 #if LANES == 8
 INLINE Real fused(Real a, Real b, Real c) { return (Real)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c); }
-#elif LANES == 4 && defined(__FMA__)
+#elif LANES == 4 && defined(ROUNDS_ONCE)
 INLINE Real fused(Real a, Real b, Real c) { return (Real)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c); }
-#elif defined(__FMA__) || defined(__aarch64__)
+#elif defined(ROUNDS_ONCE)
 #if LANES == 1
 INLINE Real fused(Real a, Real b, Real c) { return __builtin_fma(a, b, c); }
 #else
