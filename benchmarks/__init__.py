@@ -1,0 +1,1 @@
+"""How fast the rollouts are, beside what others would write."""

@@ -1,0 +1,1 @@
+"""The same run-down, written by hand."""

@@ -1,0 +1,110 @@
+"""What is measured: run-downs of the present coupling type with a key."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.bearing.life import fatigue_load_limit, reliability_factor
+from coupling_design.bearing.loads import rotational_loads, static_loads
+from coupling_design.bearing.lubrication import GREASE_CONTAMINATION
+from coupling_design.case import Case, ConnectionKind, load_case
+from coupling_design.design.candidate import Candidate, candidate_driveline
+from coupling_design.design.joint import joint_start, joint_step
+from coupling_design.rollout.sensitivities import (
+    join_sensitivities,
+    with_sensitivities,
+)
+
+CASE = Path(__file__).parent.parent / "cases" / "16v280.yaml"
+SEED = 281
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Design points, a column each, and where their rollouts start."""
+
+    points: FloatArray
+    starts: FloatArray
+    joint_starts: FloatArray
+
+
+class Subject:
+    """The step of the case's keyed driveline, and points to roll it out from."""
+
+    def __init__(self, refinement: int = 1) -> None:
+        self.case: Case = load_case(CASE)
+        self.time_step = self.case.shutdown.time_step / refinement
+        option = next(
+            option
+            for option in self.case.connections
+            if option.kind is ConnectionKind.KEY
+        )
+        candidate = Candidate(self.case.coupling_types[0], option)
+        self._point = ca.SX.sym("point", 2)
+        self._driveline = candidate_driveline(
+            self.case, candidate, *ca.vertsplit(self._point)
+        )
+
+    @cached_property
+    def step(self) -> ca.Function:
+        """(joint state, point) -> joint state."""
+        return joint_step(self._driveline, self.case, self.time_step, self._point)
+
+    @cached_property
+    def joint_step(self) -> ca.Function:
+        """The same with sensitivities."""
+        return with_sensitivities(self.step)
+
+    def batch(self, size: int) -> Batch:
+        """Return points all over the plane of stiffness and gap."""
+        random = np.random.default_rng(SEED)
+        lowest, highest = self.case.coupling_types[0].stiffness_range
+        points = np.vstack(
+            [random.uniform(lowest, highest, size), random.uniform(5e-5, 3e-4, size)]
+        )
+        return self.at(points.T)
+
+    def at(self, points: Sequence[Sequence[float]] | FloatArray) -> Batch:
+        """Return the batch of given (stiffness, gap)."""
+        columns = np.array(points).T
+        start = joint_start(
+            self._driveline, self.case.shutdown.initial_speed, self._point
+        )
+        both = [start(point) for point in columns.T]
+        return Batch(
+            columns,
+            np.hstack([np.asarray(state) for state, _ in both]),
+            np.hstack([np.asarray(join_sensitivities(*pair)) for pair in both]),
+        )
+
+    def machine(self) -> FloatArray:
+        """Return the numbers of `peers/machine.h` in its order."""
+        case, d = self.case, self.case.driveline
+        key, law = d.connection, case.coupling_types[0].damping_law
+        one, three = d.engine_resistance, d.generator_resistance
+        c_1, c_2, _ = GREASE_CONTAMINATION[case.lubrication.cleanliness]
+        return np.array(
+            [
+                *(d.engine_inertia, d.coupling_inertia, d.generator_inertia),
+                *(law.damping_factor, law.characteristic_frequency),
+                *(key.radius, key.contact_stiffness, key.oil_damping, key.smoothing),
+                *(x for order in d.excitation for x in (order.amplitude, order.phase)),
+                *(one.viscous, one.friction, one.transition_speed),
+                *(three.viscous, three.friction, three.transition_speed),
+                *rotational_loads(1.0, case.shaft),
+                *static_loads(case.shaft),
+                *(bearing.dynamic_load_rating for bearing in case.bearings),
+                *(fatigue_load_limit(bearing) for bearing in case.bearings),
+                reliability_factor(case.reliability),
+                case.lubrication.viscosity * 1e6,
+                case.bearings[0].pitch_diameter * 1e3,
+                *(c_1, c_2, self.time_step),
+            ]
+        )
