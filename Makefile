@@ -10,7 +10,7 @@ PY := .venv/bin/python
 # Python compiles what it imports; compiling everything here would add half to the wait.
 INSTALL := $(PY) -m pip install --quiet --disable-pip-version-check --no-compile --editable
 
-.PHONY: help design test test-slow lint format
+.PHONY: help design test test-slow lint format validation
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 
@@ -19,6 +19,7 @@ help:
 	@echo "make design CASE=file  design the coupling of another case"
 	@echo "make test              run the quick tests"
 	@echo "make test-slow         run the full design flows"
+	@echo "make validation        redo the paper's studies and write VALIDATION.md"
 	@echo "make lint              check style, types and project file"
 	@echo "make format            put the code into the house style"
 
@@ -31,6 +32,9 @@ test: .venv/installed-test
 # pytest returns 5 when no test carries the marker.
 test-slow: .venv/installed-test
 	@$(PY) -m pytest -m slow || test $$? -eq 5
+
+validation: .venv/installed-studies
+	@$(PY) -m studies.validation --case "$(CASE)"
 
 lint: .venv/installed-lint
 	$(PY) -m ruff check
@@ -51,6 +55,11 @@ format: .venv/installed-lint
 	@echo "Installing the program and its test tools into .venv ..." >&2
 	@$(INSTALL) ".[test]"
 	@touch .venv/installed $@
+
+.venv/installed-studies: $(PY) pyproject.toml
+	@echo "Installing the program and what its studies need into .venv ..." >&2
+	@$(INSTALL) ".[test,studies]"
+	@touch .venv/installed .venv/installed-test $@
 
 .venv/installed-lint: $(PY) pyproject.toml
 	@echo "Installing the program and its lint tools into .venv ..." >&2

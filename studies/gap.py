@@ -6,6 +6,7 @@ peak-to-peak of the transmission force rises a little, that of the collision for
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -25,7 +26,7 @@ from studies.machine import present, present_point, present_tightly_fitted
 LARGEST = 0.3e-3
 # The paper's cases beside the tight fit [m], by name.
 CASES = {"spline": 0.01e-3, "key, as built": 0.28e-3, "key, largest": LARGEST}
-SWEEP: FloatArray = np.round(np.linspace(0.0, LARGEST, 31), 10)
+SWEEP = tuple(LARGEST * i / 30 for i in range(31))
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class GapInfluence:
 
     tight: Forces
     cases: tuple[Forces, ...]
-    gaps: FloatArray
+    gaps: tuple[float, ...]
     sweep: tuple[Forces, ...]
     smoothing: float
 
@@ -54,10 +55,11 @@ class GapInfluence:
     @property
     def deviation(self) -> float:
         """Largest distance of D from a straight line over the gap, of its range [%]."""
-        return deviation_from_line(self.gaps, self.damages)
+        return deviation_from_line(np.array(self.gaps), self.damages)
 
 
-def examine(case: Case, gaps: FloatArray = SWEEP) -> GapInfluence:
+@functools.cache
+def examine(case: Case, gaps: tuple[float, ...] = SWEEP) -> GapInfluence:
     """Return the influence of the gap at the present stiffness."""
     stiffness, _ = present_point(case)
     cases = [(stiffness, gap) for gap in CASES.values()]
@@ -65,7 +67,7 @@ def examine(case: Case, gaps: FloatArray = SWEEP) -> GapInfluence:
         tight=forces(present_tightly_fitted(case), [(stiffness, 0.0)])[0],
         cases=forces(present(case), cases),
         gaps=gaps,
-        sweep=forces(present(case), [(stiffness, float(gap)) for gap in gaps]),
+        sweep=forces(present(case), [(stiffness, gap) for gap in gaps]),
         smoothing=case.joint.smoothing or 0.0,
     )
 
@@ -100,7 +102,7 @@ def tables(found: GapInfluence) -> Sequence[Table]:
 def figures(found: GapInfluence) -> Mapping[str, Figure]:
     """Return damage and peak-to-peak forces over the gap."""
     figure, (damage, peaks) = canvas(1, 2, height=3.2)
-    x, points = found.gaps * 1e3, found.sweep
+    x, points = 1e3 * np.array(found.gaps), found.sweep
     line = np.polynomial.Polynomial.fit(x, found.damages, 1)
     damage.plot(x, found.damages, ".", color=BLUE, label="key")
     damage.plot(x, line(x), color=GREY, linewidth=0.8, label="straight line")

@@ -5,6 +5,8 @@ from __future__ import annotations
 import functools
 import math
 
+import numpy as np
+
 from coupling_design.case import ConnectionKind, Plan
 from coupling_design.case.case import Case
 from coupling_design.design.baseline import present_candidate
@@ -15,6 +17,9 @@ from coupling_design.design.results import Performance
 from coupling_design.design.state import connection_option
 from coupling_design.driveline.dynamics import reduced_inertia
 from coupling_design.driveline.history import History, simulate
+
+# Stiffnesses, spaced by ratio, at which an elastic type is looked at.
+ELASTIC_POINTS = 41
 
 
 @functools.cache
@@ -82,3 +87,20 @@ def present_history(case: Case) -> History:
 def high_stiffness_history(case: Case) -> History:
     """Return the history with the high-stiffness coupling."""
     return history_of(high_stiffness(case), required_stiffness(case), 0.0)
+
+
+@functools.cache
+def least_elastic_peak(case: Case) -> tuple[float, float]:
+    """Return at which stiffness [N m/rad] the elastic type peaks least, and that [N].
+
+    Over the type's whole range, as built and in a tight fit.
+    """
+    low, high = present_candidate(case).coupling_type.stiffness_range
+    span = [float(k) for k in np.geomspace(low, high, ELASTIC_POINTS)]
+    _, built = present_point(case)
+    found = [
+        *present(case).performances([(k, built) for k in span]),
+        *present_tightly_fitted(case).performances([(k, 0.0) for k in span]),
+    ]
+    least = min(found, key=lambda p: float(p.peak_transmission_force))
+    return float(least.torsional_stiffness), float(least.peak_transmission_force)

@@ -22,18 +22,14 @@ from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case.case import Case
 from coupling_design.design.constraints import high_frequency_constraint
 from coupling_design.report.numbers import significant
-from studies import resonance, stiffness
+from studies import gap, resonance, stiffness
 from studies.command import Study, leave, table
-from studies.evidence import (
-    gap_influence,
-    least_elastic_peak,
-    stiffness_influence,
-    why_not_half,
-)
+from studies.contact import why_not_half
 from studies.forces import change
 from studies.judgement import direction, within, within_share
 from studies.machine import (
     high_stiffness_performance,
+    least_elastic_peak,
     present_performance,
     required_stiffness,
 )
@@ -114,7 +110,7 @@ def of_the_present(case: Case) -> list[Comparison]:
 
 def of_stiffness(case: Case) -> list[Comparison]:
     """Return the influence of stiffness, and step 3 for any elastic stiffness."""
-    found = stiffness_influence(case)
+    found = stiffness.examine(case)
     half = found.damage_change(stiffness.HALF)
     stiffer = found.damage_change(stiffness.SLIGHTLY_STIFFER)
     permissible = float(permissible_transmission_force(case.shaft, case.bearings))
@@ -148,7 +144,7 @@ def of_stiffness(case: Case) -> list[Comparison]:
 
 def of_the_gap(case: Case) -> list[Comparison]:
     """Return the influence of the gap."""
-    found = gap_influence(case)
+    found = gap.examine(case)
     return [
         within(
             "change of D from a tight fit to a gap of 0.3 mm",

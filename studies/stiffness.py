@@ -6,6 +6,7 @@ less; peaks of transmission and collision force go the same way.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -13,7 +14,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
 from coupling_design.report.numbers import percent, significant
 from studies.command import Study, leave, table
@@ -22,29 +22,34 @@ from studies.forces import Forces, change, forces
 from studies.machine import present, present_point
 
 HALF, SLIGHTLY_STIFFER = 0.5, 1.1
-MULTIPLIERS: FloatArray = np.round(np.linspace(0.5, 2.0, 31), 10)
+MULTIPLIERS = tuple(0.5 + 0.05 * i for i in range(31))
 
 
 @dataclass(frozen=True)
 class StiffnessInfluence:
     """What each of the multipliers of the present stiffness does."""
 
-    multipliers: FloatArray
+    multipliers: tuple[float, ...]
     points: tuple[Forces, ...]
 
     def at(self, multiplier: float) -> Forces:
         """Return the point of the multiplier nearest to the one given."""
-        return self.points[int(np.abs(self.multipliers - multiplier).argmin())]
+        return self.points[
+            int(np.abs(np.array(self.multipliers) - multiplier).argmin())
+        ]
 
     def damage_change(self, multiplier: float) -> float:
         """Return the change of damage against the present stiffness [%]."""
         return change(self.at(multiplier).damage_e6, self.at(1.0).damage_e6)
 
 
-def examine(case: Case, multipliers: FloatArray = MULTIPLIERS) -> StiffnessInfluence:
+@functools.cache
+def examine(
+    case: Case, multipliers: tuple[float, ...] = MULTIPLIERS
+) -> StiffnessInfluence:
     """Return the influence of stiffness at the present gap."""
     stiffness, gap = present_point(case)
-    points = forces(present(case), [(float(m) * stiffness, gap) for m in multipliers])
+    points = forces(present(case), [(m * stiffness, gap) for m in multipliers])
     return StiffnessInfluence(multipliers, points)
 
 
