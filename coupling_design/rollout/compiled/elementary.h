@@ -24,15 +24,20 @@ INLINE Real exp_tail(Real r)
     return fused(r4, fused(r4, e, c), a);
 }
 
+/* For |x| <= 708, or NaN. */
+INLINE Real lane_exp_of_moderate(Real x)
+{
+    Real shifted = fused(x, splat(0x1.71547652b82fep0), splat(ROUNDER));
+    Real k = shifted - splat(ROUNDER);
+    Real r = fused(k, splat(-LN2_LOW), fused(k, splat(-LN2_HIGH), x));
+    Real y = fused(r * r, exp_tail(r), r) + splat(1);
+    return real(bits(y) + SHIFT_LEFT(bits(shifted), 52));
+}
+
 INLINE Real lane_exp(Real x)
 {
     Real highest = splat(0x1.62e42fefa39efp9), lowest = splat(-0x1.6232bdd7abcd2p9);
-    Real held = larger(lowest, smaller(highest, x)); /* NaN stays */
-    Real shifted = fused(held, splat(0x1.71547652b82fep0), splat(ROUNDER));
-    Real k = shifted - splat(ROUNDER);
-    Real r = fused(k, splat(-LN2_LOW), fused(k, splat(-LN2_HIGH), held));
-    Real y = fused(r * r, exp_tail(r), r) + splat(1);
-    y = real(bits(y) + SHIFT_LEFT(bits(shifted), 52));
+    Real y = lane_exp_of_moderate(larger(lowest, smaller(highest, x))); /* NaN stays */
     y = choose(less(highest, x), splat(INFINITY), y);
     return choose(less(x, lowest), splat(0), y);
 }
@@ -54,7 +59,7 @@ INLINE Real lane_tanh(Real x)
 }
 
 /* x = 2^k m, m in [sqrt(1/2), sqrt(2)); log m = 2 artanh((m - 1) / (m + 1)). */
-INLINE Real lane_log(Real x)
+INLINE Real lane_log_of_normal(Real x) /* at least the smallest normal number, or NaN */
 {
     Bits offset = bits(x) - SPLAT_BITS(0x3fe6a09e667f3bcd);
     Bits exponent = offset & SPLAT_BITS(0xfff0000000000000);
@@ -69,7 +74,12 @@ INLINE Real lane_log(Real x)
     /* log m = f - s (f - z q): f is exact, the rest small beside it. */
     Real rest = fused(k, splat(LN2_LOW), -(s * (f - z * q)));
     Real y = fused(k, splat(LN2_HIGH), f + rest);
-    y = choose(less_equal(x, splat(0x1.fffffffffffffp1023)), y, x * x);
+    return choose(less_equal(x, splat(0x1.fffffffffffffp1023)), y, x * x);
+}
+
+INLINE Real lane_log(Real x)
+{
+    Real y = lane_log_of_normal(x);
     Real below = choose(less(x, splat(0)), splat(NAN), splat(-INFINITY));
     return choose(less(x, splat(0x1p-1022)), below, y);
 }

@@ -71,10 +71,17 @@ def _of_sum(a: Value, b: Value) -> tuple[float, float]:
     return a.lower + b.lower, a.upper + b.upper
 
 
+def _of_difference(a: Value, b: Value) -> tuple[float, float]:
+    return a.lower - b.upper, a.upper - b.lower
+
+
 def _of_product(a: Value, b: Value) -> tuple[float, float]:
-    if a.lower < 0 or b.lower < 0:
-        return _ANYTHING
-    return a.lower * b.lower, 0.0 if 0.0 in (a.upper, b.upper) else a.upper * b.upper
+    corners = [
+        0.0 if 0.0 in (x, y) else x * y
+        for x in (a.lower, a.upper)
+        for y in (b.lower, b.upper)
+    ]
+    return min(corners), max(corners)
 
 
 def _of_quotient(a: Value, b: Value) -> tuple[float, float]:
@@ -97,6 +104,8 @@ def _of_log(a: Value) -> tuple[float, float]:
 
 _BOUNDS: dict[str, Callable[..., tuple[float, float]]] = {
     "add": _of_sum,
+    "sub": _of_difference,
+    "neg": lambda a: (-a.upper, -a.lower),
     "mul": _of_product,
     "div": _of_quotient,
     "exp": _of_exp,

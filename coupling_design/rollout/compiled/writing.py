@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field
 
 from coupling_design.rollout.compiled.graph import Graph
@@ -17,6 +18,8 @@ _PATTERNS = {
     "fabs": "magnitude({0})",
 }
 _IN_LANES_HEADER = MASKS | {"choose", "keep"}
+
+_MODERATE = 708  # exp of a number up to this size is neither infinite nor subnormal
 
 _FUNCTION = """
 void march_lanes(int64_t n_steps, int64_t stride, const double *constants,
@@ -101,8 +104,19 @@ class _Writer:
             return self._extreme(value, names)
         if value.kind in _PATTERNS:
             return _PATTERNS[value.kind].format(*names)
+        if value.kind in ("exp", "log"):
+            return f"{self._variant(value)}({names[0]})"
         prefix = "" if value.kind in _IN_LANES_HEADER else "lane_"
         return f"{prefix}{value.kind}({', '.join(names)})"
+
+    def _variant(self, value: Value) -> str:
+        """Return the function that does for what is known of the argument."""
+        argument = self.graph[value.args[0]]
+        if value.kind == "log":
+            is_normal = argument.lower >= sys.float_info.min
+            return "lane_log_of_normal" if is_normal else "lane_log"
+        is_moderate = argument.lower >= -_MODERATE and argument.upper <= _MODERATE
+        return "lane_exp_of_moderate" if is_moderate else "lane_exp"
 
     def _extreme(self, value: Value, names: list[str]) -> str:
         """Return the larger or smaller of two; a constant first, it is never NaN."""
