@@ -1,0 +1,132 @@
+"""Steady vibration of the linearised driveline, gap closed, driven by its orders.
+
+Sources
+-------
+[1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062, eq. (1).
+[2] Friswell, Penny, Garvey, Lees (2010), Dynamics of Rotating Machines: the receptance
+    of a linear system, q = (K + j w C - w^2 M)^-1 T.
+[3] DIN 740-2:1986, Flexible shaft couplings: vibratory torque T_W, damping power P_W.
+
+What is left out, and when it matters:
+
+* The connection bears on one flank. It does while the mean torque is larger than the
+  amplitude of `transmission_torque`; below that the key lifts off and rattles.
+* Dry friction does not depend on speed far above its transition speed: to first order
+  it shifts the mean torque and damps nothing. Of a `Resistance` only the viscous part
+  acts here, where `modes.damping_matrix` has friction as steep as at standstill.
+* Orders push at the mean crank angle. That the vibration itself shifts them is of
+  second order in their amplitude.
+* Damping is viscous, as in the rollout, also where the law's value is one per cycle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.driveline.damping import coupling_damping
+from coupling_design.driveline.dynamics import reduced_inertia
+from coupling_design.driveline.modes import (
+    damping_matrix,
+    mass_matrix,
+    stiffness_matrix,
+)
+from coupling_design.driveline.parameters import Driveline
+
+_ComplexArray = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class ForcedResponse:
+    """Complex amplitudes q of each order i at each mean speed Omega.
+
+    An angle or torque fluctuates as Im(q exp(j w t)) with w = i Omega; |q| is its
+    amplitude, half its peak-to-peak. All but orders and speeds have a row per order,
+    a column per speed.
+
+    Attributes
+    ----------
+    orders : (n_orders,) [-]
+    speeds : mean speed of the crankshaft (n_speeds,) [rad/s]
+    twist : of the elastic coupling [rad]
+    coupling_torque : through the coupling, spring and damper together [N m]
+    transmission_torque : through the connection [N m]
+    power_loss : heat in the coupling, its mean over a period [W]
+    """
+
+    orders: FloatArray
+    speeds: FloatArray
+    twist: _ComplexArray
+    coupling_torque: _ComplexArray
+    transmission_torque: _ComplexArray
+    power_loss: FloatArray
+
+
+def forced_response(driveline: Driveline, speeds: FloatArray) -> ForcedResponse:
+    """Return the steady vibration at mean speeds above zero [rad/s].
+
+    Notes
+    -----
+    Coupling [1] eq. (1): T_c = (k + j w c) x. Heat [3], damping work pi c w x^2 per
+    cycle: P = c w^2 |x|^2 / 2. Connection: what turns the generator,
+    r F_c = (j w c_t - w^2 J3) theta_3.
+    """
+    speeds = np.asarray(speeds, dtype=float)
+    if not np.all(speeds > 0):
+        raise ValueError("a steady response needs mean speeds above zero")
+    orders = np.array([o.order for o in driveline.excitation], dtype=float)
+    omega = np.outer(orders, speeds)
+    theta = _angles(driveline, omega)
+    x, theta_3 = theta[..., 0] - theta[..., 1], theta[..., -1]
+    k = driveline.coupling.torsional_stiffness
+    c = float(coupling_damping(driveline.coupling, reduced_inertia(driveline)))
+    c_t, J3 = driveline.generator_resistance.viscous, driveline.generator_inertia
+    return ForcedResponse(
+        orders=orders,
+        speeds=speeds,
+        twist=x,
+        coupling_torque=(k + 1j * omega * c) * x,
+        transmission_torque=(1j * omega * c_t - omega**2 * J3) * theta_3,
+        power_loss=c * omega**2 * np.abs(x) ** 2 / 2,
+    )
+
+
+def vibratory_torque(driveline: Driveline, speeds: FloatArray) -> FloatArray:
+    """Return T_W, the amplitude of the torque in the elastic coupling [N m].
+
+    A row per order of the excitation, a column per mean speed [rad/s]. [3].
+    """
+    return np.abs(forced_response(driveline, speeds).coupling_torque)
+
+
+def power_loss(driveline: Driveline, speeds: FloatArray) -> FloatArray:
+    """Return the heat in the coupling at each mean speed [rad/s], all orders, in [W].
+
+    Over a revolution different orders do no work on each other: their heats add up.
+    """
+    loss: FloatArray = forced_response(driveline, speeds).power_loss.sum(axis=0)
+    return loss
+
+
+def _angles(driveline: Driveline, omega: FloatArray) -> _ComplexArray:
+    """Return the complex angles [rad] of the masses, along a last axis, by [2]."""
+    M, K = mass_matrix(driveline), stiffness_matrix(driveline)
+    C = damping_matrix(_without_friction(driveline))
+    w = omega[..., np.newaxis, np.newaxis]
+    force = np.zeros((*omega.shape, len(M), 1), dtype=complex)
+    for i, order in enumerate(driveline.excitation):
+        force[i, :, 0] = order.amplitude * np.exp(1j * order.phase)
+    angles: NDArray[Any] = np.linalg.solve(K + 1j * w * C - w**2 * M, force)
+    return angles[..., 0]
+
+
+def _without_friction(driveline: Driveline) -> Driveline:
+    return replace(
+        driveline,
+        engine_resistance=replace(driveline.engine_resistance, friction=0.0),
+        generator_resistance=replace(driveline.generator_resistance, friction=0.0),
+    )
