@@ -23,7 +23,7 @@ from coupling_design.case.kinds import (
 )
 from coupling_design.case.problem import Path, Problem
 from coupling_design.case.quantity import exceeds
-from coupling_design.case.values import Values
+from coupling_design.case.values import Values, check_ordered, check_unique
 
 _MOST_STEPS = 10_000_000
 
@@ -57,35 +57,13 @@ def _ordered_pairs(values: Values) -> Iterator[Problem]:
         pairs.append((Stiffness, low, high))
         low, high = (*entry, "nominal_torque"), (*entry, "maximum_torque")
         pairs.append((PositiveTorque, low, high))
-    for kind, lower, upper in pairs:
-        small, large = values.read(kind, *lower), values.read(kind, *upper)
-        if None not in (small, large) and exceeds(small, large):
-            yield Problem(
-                upper,
-                f"found '{values.text(*upper)}', allowed {lower[-1]} "
-                f"'{values.text(*lower)}' or more; exchange or correct them",
-            )
+    yield from check_ordered(values, pairs)
 
 
 def _unique_entries(values: Values) -> Iterator[Problem]:
-    yield from _repeated(values, ("driveline", "excitation"), "order", Number)
-    yield from _repeated(values, ("coupling_types",), "name", None)
-    yield from _repeated(values, ("bearings",), "name", None)
-
-
-def _repeated(values: Values, entries: Path, key: str, kind: Any) -> Iterator[Problem]:
-    seen: set[Any] = set()
-    for index in range(values.count(*entries)):
-        path = (*entries, index, key)
-        value = values.read(kind, *path) if kind else values.text(*path) or None
-        if value in seen:
-            yield Problem(
-                path,
-                f"{key} '{values.text(*path)}' is given twice; "
-                "delete one entry or correct it",
-            )
-        elif value is not None:
-            seen.add(value)
+    yield from check_unique(values, ("driveline", "excitation"), "order", Number)
+    yield from check_unique(values, ("coupling_types",), "name")
+    yield from check_unique(values, ("bearings",), "name")
 
 
 def _two_bearings(values: Values) -> Iterator[Problem]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
@@ -57,6 +57,41 @@ def check_between(
         f"found '{values.text(*path)}', allowed {low} to {high}, {range_name}; "
         "correct one of them",
     )
+
+
+def check_ordered(
+    values: Values, pairs: Iterable[tuple[Any, Path, Path]]
+) -> Iterator[Problem]:
+    """Yield a problem for each (kind, smaller, larger) whose first exceeds the other."""
+    for kind, lower, upper in pairs:
+        small, large = values.read(kind, *lower), values.read(kind, *upper)
+        if None not in (small, large) and exceeds(small, large):
+            yield Problem(
+                upper,
+                f"found '{values.text(*upper)}', allowed {lower[-1]} "
+                f"'{values.text(*lower)}' or more; exchange or correct them",
+            )
+
+
+def check_unique(
+    values: Values, entries: Path, key: str, kind: Any = None
+) -> Iterator[Problem]:
+    """Yield a problem for each entry of a list that repeats another's key.
+
+    Compared as a value of that kind (a type of `kinds`), or as a text.
+    """
+    seen: set[Any] = set()
+    for index in range(values.count(*entries)):
+        path = (*entries, index, key)
+        value = values.read(kind, *path) if kind else values.text(*path) or None
+        if value in seen:
+            yield Problem(
+                path,
+                f"{key} '{values.text(*path)}' is given twice; "
+                "delete one entry or correct it",
+            )
+        elif value is not None:
+            seen.add(value)
 
 
 @cache
