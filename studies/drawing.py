@@ -44,14 +44,13 @@ def trace(
     axes: Axes, time: FloatArray, signal: FloatArray, color: str, label: str = ""
 ) -> None:
     """Draw a long signal by its extremes per column, so that no peak is lost."""
-    length = max(len(time) // _COLUMNS, 1)
+    length = max(len(time) // _COLUMNS, 2)
     n = len(time) // length * length
     blocks = signal[:n].reshape(-1, length)
-    extremes = np.column_stack([blocks.min(axis=1), blocks.max(axis=1)]).ravel()
-    times = np.repeat(time[:n:length], 2)
-    if length == 1:
-        times, extremes = time, signal
-    axes.plot(times, extremes, linewidth=0.7, color=color, label=label)
+    extremes = np.column_stack([blocks.argmin(axis=1), blocks.argmax(axis=1)])
+    places = np.sort(extremes, axis=1) + np.arange(0, n, length)[:, np.newaxis]
+    shown = places.ravel()
+    axes.plot(time[shown], signal[shown], linewidth=0.7, color=color, label=label)
 
 
 def limits(axes: Axes, value: float, label: str, both: bool = False) -> None:

@@ -41,7 +41,7 @@ def draw_loads(
         trace(part, time, load / 1e3, color=BLUE)
         limits(part, limit / 1e3, "F_min")
         part.set_ylabel(f"load of bearing {i}, kN")
-        part.set_ylim(0.0, 1.08 * max(load.max(), limit) / 1e3)
+        part.set_ylim(0.0, 1.25 * max(load.max(), limit) / 1e3)
         part.legend(loc="upper left")
     axes[-1].set_xlabel("time, s")
     return figure
@@ -73,8 +73,8 @@ def mark_stages(axes: Axes, stages: tuple[float, float, float]) -> None:
             axes.axvspan(left, right, color=color, alpha=0.15, linewidth=0)
             axes.annotate(
                 name,
-                ((left + right) / 2, 0.97),
+                ((left + right) / 2, 1.0),
                 xycoords=("data", "axes fraction"),
                 ha="center",
-                va="top",
+                va="bottom",
             )

@@ -25,14 +25,14 @@ of `0` is below a hundredth of that precision.
 
 def write_page(parts: Sequence[Part], header: Sequence[str], page: Path) -> str:
     """Return the page's text; figures are linked relative to where `page` lies."""
-    blocks = [INTRODUCTION, *header, summary(parts), *disagreements(parts)]
+    blocks = [INTRODUCTION, *header, _summary(parts), *_disagreements(parts)]
     for part in parts:
         blocks.append(f"## {part.title}")
-        blocks.extend(part_blocks(part, page))
+        blocks.extend(_part_blocks(part, page))
     return "\n\n".join(block.strip() for block in blocks) + "\n"
 
 
-def summary(parts: Sequence[Part]) -> str:
+def _summary(parts: Sequence[Part]) -> str:
     """Return how many comparisons of each part agree."""
     counted = [(part.title, part.comparisons) for part in parts if part.comparisons]
     everything = tuple(row for _, found in counted for row in found)
@@ -40,7 +40,7 @@ def summary(parts: Sequence[Part]) -> str:
         (title, str(len(found)), str(sum(map(agrees, found))))
         for title, found in (*counted, ("all", everything))
     ]
-    return "## Summary\n\n" + table(("part", "compared", "agree"), rows)
+    return "## Summary\n\n" + _table(("part", "compared", "agree"), rows)
 
 
 def agrees(comparison: Comparison) -> bool:
@@ -48,7 +48,7 @@ def agrees(comparison: Comparison) -> bool:
     return bool(comparison.agrees)
 
 
-def disagreements(parts: Sequence[Part]) -> Iterator[str]:
+def _disagreements(parts: Sequence[Part]) -> Iterator[str]:
     """Yield what disagrees or is missing, or that nothing does."""
     yield "## Where they disagree"
     lines = [
@@ -66,19 +66,19 @@ def disagreements(parts: Sequence[Part]) -> Iterator[str]:
     )
 
 
-def part_blocks(part: Part, page: Path) -> Iterator[str]:
+def _part_blocks(part: Part, page: Path) -> Iterator[str]:
     """Yield the tables and figures of a part."""
     if part.missing:
         yield f"Could not be compared: {part.missing}"
     if part.comparisons:
-        yield comparison_table(part.comparisons)
+        yield _comparison_table(part.comparisons)
     if part.contrasts:
-        yield contrast_table(part.contrasts)
+        yield _contrast_table(part.contrasts)
     for illustration in part.illustrations:
-        yield from illustration_blocks(illustration, page)
+        yield from _illustration_blocks(illustration, page)
 
 
-def comparison_table(rows: Sequence[Comparison]) -> str:
+def _comparison_table(rows: Sequence[Comparison]) -> str:
     """Return comparisons as a table."""
     titles = (
         "quantity",
@@ -89,7 +89,7 @@ def comparison_table(rows: Sequence[Comparison]) -> str:
         "agrees",
         "remark",
     )
-    return table(
+    return _table(
         titles,
         [
             (
@@ -106,7 +106,7 @@ def comparison_table(rows: Sequence[Comparison]) -> str:
     )
 
 
-def contrast_table(rows: Sequence[Contrast]) -> str:
+def _contrast_table(rows: Sequence[Contrast]) -> str:
     """Return contrasts as a table."""
     titles = (
         "question",
@@ -116,7 +116,7 @@ def contrast_table(rows: Sequence[Contrast]) -> str:
         "taken here",
         "what follows",
     )
-    return table(
+    return _table(
         titles,
         [
             (
@@ -132,7 +132,7 @@ def contrast_table(rows: Sequence[Contrast]) -> str:
     )
 
 
-def illustration_blocks(illustration: Illustration, page: Path) -> Iterator[str]:
+def _illustration_blocks(illustration: Illustration, page: Path) -> Iterator[str]:
     """Yield a study's title, sentences and figures."""
     yield f"### {illustration.title}"
     if illustration.findings:
@@ -168,12 +168,12 @@ def difference(row: Comparison) -> str:
     return f"{text} ({percent(row.difference / abs(row.published))} %)"
 
 
-def table(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def _table(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Return a table of Markdown."""
     lines = [titles, ["---"] * len(titles), *rows]
-    return "\n".join(f"| {' | '.join(map(escaped, line))} |" for line in lines)
+    return "\n".join(f"| {' | '.join(map(_escaped, line))} |" for line in lines)
 
 
-def escaped(text: str) -> str:
+def _escaped(text: str) -> str:
     """Return text that does not end a table's cell."""
     return text.replace("|", "\\|").replace("\n", " ")

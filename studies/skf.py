@@ -60,27 +60,23 @@ NU2326 = _bearing("NU2326", "radial_roller", 920, 205, 1230)
 
 def comparisons() -> list[Comparison]:
     """Return C/P, L10 and viscosity of SKF's examples, and a_ISO with its inputs."""
-    catalogue, report = "SKF catalogue, example 1, 6309", "SKF report on 6309"
-    pump = "SKF Rolling bearings 2018, NU 311 ECP"
+    return [*lives(), *conditions()]
 
-    def hours(load: float, rpm: float, bearing: Bearing) -> float:
-        return float(basic_rating_life(load, bearing)) / (60 * rpm)
 
-    at_80 = float(viscosity_at_temperature(353.15, 120e-6, 12e-6)) * 1e6
+def lives() -> list[Comparison]:
+    """Return C/P and L10 of SKF's examples."""
+    report, pump = "SKF report on 6309", "SKF Rolling bearings 2018, NU 311 ECP"
+    catalogue = "SKF catalogue, example 1, 6309"
     millions = float(basic_rating_life(10e3, SKF_6309)) / 1e6
-    calculator_ratio = SKF_6309.dynamic_load_rating / 4e3
-    pump_ratio = NU_311.dynamic_load_rating / 3.29e3
-    return [
-        Comparison("L10, ball", catalogue, 169.0, millions, "1e6 rev", 0.5),
-        Comparison(
-            "L10h, ball", catalogue, 940.0, hours(10e3, 3000, SKF_6309), "h", 5.0
-        ),
-        Comparison("C/P", report, 13.8, calculator_ratio, "-", 0.05),
-        Comparison(
-            "L10h, ball", report, 24_500.0, hours(4e3, 1800, SKF_6309), "h", 50.0
-        ),
-        Comparison("C/P", pump, 47.0, pump_ratio, "-", 0.5),
-        Comparison(
+    of_6309 = SKF_6309.dynamic_load_rating / 4e3
+    of_pump = NU_311.dynamic_load_rating / 3.29e3
+    rows = (
+        ("L10, ball", catalogue, 169.0, millions, "1e6 rev", 0.5, ""),
+        ("L10h, ball", catalogue, 940.0, hours(10e3, 3000, SKF_6309), "h", 5.0, ""),
+        ("C/P, ball", report, 13.8, of_6309, "-", 0.05, ""),
+        ("L10h, ball", report, 24_500.0, hours(4e3, 1800, SKF_6309), "h", 50.0, ""),
+        ("C/P, roller", pump, 47.0, of_pump, "-", 0.5, ""),
+        (
             "L10h, roller, 3000 rpm",
             "C/P of SKF's NU 311 ECP, by hand",
             2.14e6,
@@ -89,6 +85,19 @@ def comparisons() -> list[Comparison]:
             5e3,
             "SKF's own figure was not found",
         ),
+    )
+    return [Comparison(*row) for row in rows]
+
+
+def hours(load: float, speed_rpm: float, bearing: Bearing) -> float:
+    """Return L10 in hours."""
+    return float(basic_rating_life(load, bearing)) / (60 * speed_rpm)
+
+
+def conditions() -> list[Comparison]:
+    """Return the oil's viscosity of [2], and a_ISO of [4] with SKF's inputs."""
+    at_80 = float(viscosity_at_temperature(353.15, 120e-6, 12e-6)) * 1e6
+    return [
         Comparison(
             "viscosity at 80 degrees C of 120 and 12 mm^2/s at 40 and 100",
             "SKF report on 6309, kappa nu_1 = 2.08 x 10.4",
