@@ -23,8 +23,8 @@ def render_assumptions(case: Case, assumptions: Sequence[SourcedValue]) -> Panel
     cells = [_cells(value) for value in assumptions]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     parts: list[RenderableType] = []
-    for section, values in groupby(assumptions, key=_section):
-        parts.append(Text(_heading(case, section), style="bold"))
+    for section, values in groupby(assumptions, key=section_of):
+        parts.append(Text(section_title(case, section), style="bold"))
         parts.append(_rows(values, widths[:-1]))
     plural = "" if len(assumptions) == 1 else "s"
     title = f"Rests on {len(assumptions)} assumed, fitted or invented value{plural}"
@@ -48,11 +48,12 @@ def _cells(value: SourcedValue) -> tuple[str, str, str, str]:
     return f"  {key}", value.text, value.source or "not stated", value.note
 
 
-def _section(value: SourcedValue) -> str:
+def section_of(value: SourcedValue) -> str:
+    """Return the path of the section that a value stands in."""
     return value.path.rpartition(".")[0]
 
 
-def _heading(case: Case, section: str) -> str:
+def section_title(case: Case, section: str) -> str:
     """Return a section's path, with the name of the coupling type it belongs to."""
     if not section:
         return "top level"

@@ -36,7 +36,7 @@ def render_baseline(outcome: DesignOutcome) -> Panel:
         (
             Text(f"{baseline.coupling_type}, {words(baseline.connection)}"),
             render_quantities([_present(baseline)], _bearings(outcome.case)),
-            facts(_trust(baseline)),
+            facts(trust(baseline)),
         ),
     )
 
@@ -50,7 +50,7 @@ def render_chosen(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
     return panel(
         "Chosen coupling",
         (
-            facts(_names(outcome.case, chosen)),
+            facts(chosen_facts(outcome.case, chosen)),
             render_quantities([_present(baseline), column], _bearings(outcome.case)),
             Text(f"Damage per run-down {reduction}.", style="bold"),
             facts([("conditioning", describe_conditioning(chosen.conditioning))]),
@@ -89,7 +89,8 @@ def _bearings(case: Case) -> tuple[str, str]:
     return first.name, second.name
 
 
-def _trust(baseline: Baseline) -> Iterable[tuple[str, str]]:
+def trust(baseline: Baseline) -> Iterable[tuple[str, str]]:
+    """Yield how firmly the present coupling's numbers stand."""
     yield "conditioning", describe_conditioning(baseline.conditioning)
     yield (
         "time step",
@@ -98,7 +99,8 @@ def _trust(baseline: Baseline) -> Iterable[tuple[str, str]]:
     )
 
 
-def _names(case: Case, chosen: ChosenDesign) -> Iterable[tuple[str, str]]:
+def chosen_facts(case: Case, chosen: ChosenDesign) -> Iterable[tuple[str, str]]:
+    """Yield what the chosen coupling is."""
     yield "plan", words(chosen.plan)
     yield "coupling type", chosen.coupling_type
     for kind in case.coupling_types:

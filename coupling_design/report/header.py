@@ -33,20 +33,22 @@ def render_header(outcome: DesignOutcome) -> Panel:
         f"Coupling design: {case.name}",
         (
             Text(case.description) if case.description else None,
-            facts(_identity(case)),
-            titled("Asked", facts(_asked(case))),
+            facts(identity(case)),
+            titled("Asked", facts(asked(case))),
             titled("Answer", render_verdict(outcome)),
         ),
     )
 
 
-def _identity(case: Case) -> Iterable[tuple[str, str]]:
+def identity(case: Case) -> Iterable[tuple[str, str]]:
+    """Yield which file and which program made the report."""
     yield "case file", case.file
     yield "sha256", case.sha256
     yield "program", f"coupling_design {__version__}"
 
 
-def _asked(case: Case) -> Iterable[tuple[str, str]]:
+def asked(case: Case) -> Iterable[tuple[str, str]]:
+    """Yield what was asked of which machine."""
     duty, shutdown = case.duty, case.shutdown
     lowest, highest = (as_given(speed, "rad/s") for speed in duty.working_speed)
     yield "working speed", f"{lowest} to {highest} rpm"

@@ -17,7 +17,7 @@ from coupling_design.report.numbers import significant
 from coupling_design.report.units import quantity
 from coupling_design.report.words import verdict
 
-_HEADERS = ("C_Tdyn\nMN*m/rad", "gap\nmm", "f_n\nHz", "peak F_c\nkN", "D\n-")
+DESIGN_HEADERS = ("C_Tdyn\nMN*m/rad", "gap\nmm", "f_n\nHz", "peak F_c\nkN", "D\n-")
 
 
 @dataclass(frozen=True)
@@ -35,27 +35,27 @@ def render_alternatives(alternatives: Sequence[Alternative]) -> RenderableType |
     if not alternatives:
         return None
     measured = any(a.performance is not None for a in alternatives)
-    headers = _HEADERS if measured else ()
+    headers = DESIGN_HEADERS if measured else ()
     rows = table(["candidate"], headers, ["verdict"])
     for alternative in alternatives:
         numbers = ("-",) * len(headers)
         if alternative.performance is not None:
-            numbers = _numbers(alternative.performance, None)
+            numbers = design_numbers(alternative.performance, None)
         rows.add_row(Group(*_lines(alternative)), *numbers, verdict(alternative.passes))
     return titled("Candidates", rows)
 
 
 def render_design(name: str, performance: Performance, digits: int | None) -> Table:
     """Return one design as a table of one row."""
-    row = table(["design"], _HEADERS, [])
-    row.add_row(Text(name), *_numbers(performance, digits))
+    row = table(["design"], DESIGN_HEADERS, [])
+    row.add_row(Text(name), *design_numbers(performance, digits))
     return row
 
 
 def render_quantities(columns: Sequence[Measured], bearings: tuple[str, str]) -> Table:
     """Return a table of one row per quantity and one column per design."""
     rows = table(["quantity"], [column.heading for column in columns], ["unit"])
-    lines = [list(_quantities(column, bearings)) for column in columns]
+    lines = [list(quantity_rows(column, bearings)) for column in columns]
     for same in zip(*lines, strict=True):
         label, unit, _ = same[0]
         rows.add_row(Text(label), *(text for _, _, text in same), Text(unit))
@@ -68,7 +68,8 @@ def _lines(alternative: Alternative) -> Iterable[RenderableType]:
         yield Padding(Text(alternative.remark), (0, 0, 0, 2))
 
 
-def _numbers(performance: Performance, digits: int | None) -> tuple[str, ...]:
+def design_numbers(performance: Performance, digits: int | None) -> tuple[str, ...]:
+    """Return the numbers of a design under `DESIGN_HEADERS`."""
     return (
         quantity(performance.torsional_stiffness, "N*m/rad"),
         quantity(performance.key_gap, "m"),
@@ -78,7 +79,7 @@ def _numbers(performance: Performance, digits: int | None) -> tuple[str, ...]:
     )
 
 
-def _quantities(
+def quantity_rows(
     column: Measured, bearings: tuple[str, str]
 ) -> Iterable[tuple[str, str, str]]:
     """Yield label, unit and number of each quantity of a design."""

@@ -46,7 +46,7 @@ def render_optimum(optimum: Optimum) -> Group:
         Group(
             render_design(name, optimum.performance, digits),
             Text(),
-            facts(_evidence(optimum, digits)),
+            facts(evidence(optimum, digits)),
         ),
     )
 
@@ -67,7 +67,8 @@ def _digits(digits: int) -> str:
     return f"{digits} digit{'' if digits == 1 else 's'} of the damage stand"
 
 
-def _evidence(optimum: Optimum, digits: int | None) -> Iterable[tuple[str, str]]:
+def evidence(optimum: Optimum, digits: int | None) -> Iterable[tuple[str, str]]:
+    """Yield how an optimum was found and how firmly it stands."""
     yield "paper's unit", f"D x 1e6 = {damage_e6(optimum.performance.damage, digits)}"
     if optimum.method == "scan":
         yield "method", "best verified point of the scan; Ipopt gave nothing better"

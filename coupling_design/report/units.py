@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 import math
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from coupling_design.design.results import Criterion
 from coupling_design.report.numbers import DIGITS, significant
+
+Value = TypeVar("Value", float, NDArray[np.float64])
 
 # What a report shows for an SI unit, and how many SI units one of it is.
 _DISPLAY = {
@@ -24,9 +30,14 @@ def display_unit(unit: str) -> str:
     return _DISPLAY.get(unit, (unit, 1.0))[0]
 
 
+def displayed(value: Value, unit: str) -> Value:
+    """Return an SI value, or an array of them, in the unit `display_unit` names."""
+    return value / _DISPLAY.get(unit, (unit, 1.0))[1]
+
+
 def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
     """Return an SI value as a number in the unit that `display_unit` names."""
-    return significant(value / _DISPLAY.get(unit, (unit, 1.0))[1], digits)
+    return significant(displayed(value, unit), digits)
 
 
 def as_given(value: float, unit: str) -> str:

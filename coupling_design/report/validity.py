@@ -25,11 +25,17 @@ _ALWAYS = (
 
 
 def render_validity(outcome: DesignOutcome) -> Panel:
-    """Return the limits of validity, those of this run first."""
+    """Return the limits of validity in a panel."""
+    limits = limits_of_validity(outcome)
+    return panel("Limits of validity", [bullets("Read with this", limits)])
+
+
+def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
+    """Return what a result does not cover, what is so in this run first."""
     own = list(_of_rundown("Present", outcome.baseline.rundown))
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
-    return panel("Limits of validity", [bullets("Read with this", [*own, *_ALWAYS])])
+    return (*own, *_ALWAYS)
 
 
 def _of_rundown(name: str, rundown: Rundown) -> Iterable[str]:

@@ -22,7 +22,7 @@ _DIGITS_OF_REDUCTION = 3
 
 def render_verdict(outcome: DesignOutcome) -> Group:
     """Return whether there is a design, what it saves, and the strict reading."""
-    return Group(*_sentences(outcome))
+    return Group(*answer(outcome))
 
 
 def describe_reduction(chosen: ChosenDesign, present_digits: int) -> str:
@@ -44,7 +44,8 @@ def describe_strict(strict: LoadReading) -> str:
     )
 
 
-def _sentences(outcome: DesignOutcome) -> Iterable[Text]:
+def answer(outcome: DesignOutcome) -> Iterable[Text]:
+    """Yield the answer sentence by sentence."""
     chosen = outcome.chosen
     if chosen is None:
         yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
