@@ -6,15 +6,22 @@ import time
 from collections.abc import Callable
 
 from coupling_design.bearing.contact_stress import strict_transmission_force
-from coupling_design.case.case import Case, LoadLimitReading
-from coupling_design.design.baseline import evaluate_baseline, rundown
+from coupling_design.case.case import Case, ConnectionKind, LoadLimitReading
+from coupling_design.design.baseline import (
+    evaluate_baseline,
+    present_candidate,
+    rundown,
+)
+from coupling_design.design.candidate import Candidate
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
+from coupling_design.design.histories import chosen_map, rundown_history
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
     DesignOutcome,
     LoadReading,
+    Optimum,
     Performance,
 )
 from coupling_design.design.search import (
@@ -24,6 +31,7 @@ from coupling_design.design.search import (
     Progress,
     Workbench,
 )
+from coupling_design.design.signals import RundownHistory
 from coupling_design.design.stability import check_time_step
 from coupling_design.design.stages.bearing_load import limit_bearing_load
 from coupling_design.design.stages.coupling_types import (
@@ -35,7 +43,7 @@ from coupling_design.design.stages.key_gap import minimise_key_gap
 from coupling_design.design.stages.vibration_isolation import (
     check_vibration_isolation,
 )
-from coupling_design.design.state import FlowState, Solution
+from coupling_design.design.state import FlowState, Solution, connection_option
 
 Stage = Callable[[FlowState], FlowState]
 
@@ -72,6 +80,7 @@ def run_design(
     chosen = _chosen(state, state.solution) if state.solution else None
     nearest = None if chosen else state.nearest
     shown = chosen or nearest
+    mapped = chosen_map(state, state.solution) if state.solution else None
     return DesignOutcome(
         case=case,
         baseline=state.baseline,
@@ -81,6 +90,8 @@ def run_design(
         nearest=nearest,
         nearest_criteria=_nearest_criteria(state) if nearest else (),
         assumptions=case.assumptions,
+        histories=_histories(state, chosen, nearest),
+        chosen_map=mapped,
         engine=bench.engine,
         rollouts=bench.rollouts,
         run_time=time.perf_counter() - began,
@@ -109,6 +120,24 @@ def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
             *(limit.criterion(performance) for limit in solution.constraints),
         ),
     )
+
+
+def _histories(
+    state: FlowState, chosen: ChosenDesign | None, nearest: Optimum | None
+) -> tuple[RundownHistory, ...]:
+    """Return the present run-down, and the chosen or the nearest one beside it."""
+    state.bench.progress("histories for the figures")
+    case, shown = state.case, chosen or nearest
+    present = rundown_history(
+        case, present_candidate(case), state.baseline.performance, "present"
+    )
+    if shown is None:
+        return (present,)
+    kind = next(t for t in case.coupling_types if t.name == shown.coupling_type)
+    connection = connection_option(case, ConnectionKind(shown.connection))
+    role = "chosen" if chosen else "nearest"
+    candidate = Candidate(kind, connection)
+    return present, rundown_history(case, candidate, shown.performance, role)
 
 
 def _strict_reading(case: Case, performance: Performance) -> LoadReading:

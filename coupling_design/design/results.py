@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from coupling_design.arithmetic import Scalar
 from coupling_design.case.case import Case, Plan, SourcedValue
+from coupling_design.design.signals import RundownHistory
 
 
 class Sense(StrEnum):
@@ -28,8 +29,8 @@ class Decision(StrEnum):
 class Criterion:
     """A value held against its limit.
 
-    `margin` is the distance to the limit relative to it, positive on the good side.
-    `unit` is SI. `source` says where the limit comes from.
+    `margin` is the distance to the limit relative to it, positive on the good side;
+    `unit` is SI; `source` says where the limit comes from.
     """
 
     name: str
@@ -136,8 +137,7 @@ class Alternative:
 class DesignMap:
     """Damage [-] and peak force [N] over stiffness [N m/rad] and gap [m].
 
-    `damage` and `peak_transmission_force` have a row for each gap, with an entry for
-    each stiffness.
+    The two have a row for each gap, with an entry for each stiffness.
     """
 
     name: str
@@ -231,7 +231,8 @@ class DesignOutcome:
 
     `chosen` is None when no design meets the limits; `nearest` then names the
     candidate that came nearest and `nearest_criteria` how near. `engine` says what
-    did the `rollouts`.
+    did the `rollouts`. For figures: `histories`, the present run-down first, and
+    `chosen_map`, the plane of the chosen coupling where no step has it.
     """
 
     case: Case
@@ -245,3 +246,5 @@ class DesignOutcome:
     engine: str
     rollouts: int
     run_time: float
+    histories: tuple[RundownHistory, ...] = field(default=(), compare=False, repr=False)
+    chosen_map: DesignMap | None = None

@@ -1,0 +1,123 @@
+"""The run-downs and the plane that figures show, worked out once the design stands."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.bearing.contact_stress import minimum_load
+from coupling_design.bearing.damage import damage_increment
+from coupling_design.bearing.life import (
+    basic_rating_life,
+    life_modification_factor,
+    modified_rating_life,
+)
+from coupling_design.bearing.loads import combined_load, rotational_loads, static_loads
+from coupling_design.bearing.lubrication import (
+    contamination_factor,
+    unclamped_viscosity_ratio,
+)
+from coupling_design.bearing.parameters import Bearing
+from coupling_design.case.case import Case
+from coupling_design.design.candidate import Candidate, candidate_driveline
+from coupling_design.design.problem import DesignSpace, Objective
+from coupling_design.design.results import DesignMap, Performance
+from coupling_design.design.search import problem
+from coupling_design.design.signals import BearingHistory, RundownHistory
+from coupling_design.design.state import FlowState, Solution, gap_nearest_present
+from coupling_design.design.survey import survey
+from coupling_design.driveline.detrending import collision_force
+from coupling_design.driveline.history import History, simulate
+from coupling_design.driveline.resonance import largest_swing
+
+# Gaps in the plane of the chosen coupling: one that no step of the flow needed.
+_GAPS = 16
+
+
+def rundown_history(
+    case: Case, candidate: Candidate, performance: Performance, role: str
+) -> RundownHistory:
+    """Return the run-down of a design point in full.
+
+    The damage counts as it does in the flow: its last value is that of `performance`,
+    as far as the run-down is not chaotic.
+    """
+    driveline = candidate_driveline(
+        case, candidate, performance.torsional_stiffness, performance.key_gap
+    )
+    history = simulate(driveline, case.shutdown)
+    frequency = 2 * math.pi * float(performance.natural_frequency)
+    force = collision_force(history, frequency)
+    first, second = (_bearing_history(case, history, k) for k in range(2))
+    return RundownHistory(
+        role=role,
+        label=candidate.label,
+        driveline=history,
+        force_trend=force.trend,
+        collision_force=force.fluctuation,
+        bearings=(first, second),
+        resonance=largest_swing(history, frequency).time,
+    )
+
+
+def chosen_map(state: FlowState, solution: Solution) -> DesignMap | None:
+    """Return the plane of the chosen coupling, None where a step has mapped it.
+
+    None too without machine code: a figure is not worth the wait then.
+    """
+    label = solution.candidate.label
+    known = {map_.name for step in state.steps for map_ in step.maps}
+    if label in known or not state.bench.is_compiled:
+        return None
+    option = solution.candidate.connection
+    space = DesignSpace(
+        solution.candidate.coupling_type.stiffness_range,
+        (option.minimum_gap, gap_nearest_present(state.case, option)),
+    )
+    effort = replace(state.bench.effort, survey_gaps=_GAPS)
+    bench = replace(state.bench, effort=effort)
+    program = problem(
+        bench, solution.candidate, space, Objective.DAMAGE, solution.constraints
+    )
+    return survey(bench, program).design_map(label)
+
+
+def _bearing_history(case: Case, history: History, k: int) -> BearingHistory:
+    bearing = case.bearings[k]
+    speed, lubrication = history.generator_speed, case.lubrication
+    load: FloatArray = combined_load(
+        rotational_loads(history.transmission_force, case.shaft)[k],
+        static_loads(case.shaft)[k],
+        history.generator_angle,
+    )
+    kappa = unclamped_viscosity_ratio(lubrication.viscosity, speed, bearing)
+    e_c = contamination_factor(kappa, bearing.pitch_diameter, lubrication.cleanliness)
+    return BearingHistory(
+        combined_load=load,
+        minimum_load=float(minimum_load(bearing)),
+        viscosity_ratio=kappa,
+        contamination_factor=e_c,
+        life_modification_factor=life_modification_factor(load, kappa, e_c, bearing),
+        basic_rating_life=basic_rating_life(load, bearing),
+        modified_rating_life=modified_rating_life(
+            load, speed, bearing, lubrication, case.reliability
+        ),
+        damage=_accumulated(case, bearing, load, speed),
+    )
+
+
+def _accumulated(
+    case: Case, bearing: Bearing, load: FloatArray, speed: FloatArray
+) -> FloatArray:
+    increments = damage_increment(
+        load,
+        speed,
+        case.shutdown.time_step,
+        bearing,
+        case.lubrication,
+        case.reliability,
+    )
+    return np.cumsum(increments)
