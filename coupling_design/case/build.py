@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
+from coupling_design.case.build_coupling import build_damping_law
 from coupling_design.case.case import (
     Case,
     ConnectionKind,
@@ -12,43 +13,44 @@ from coupling_design.case.case import (
     Joint,
     SourcedValue,
 )
+from coupling_design.case.catalogue import Catalogues, offered
 from coupling_design.case.schema import (
     CaseSection,
     ConnectionChoices,
     CouplingTypeSection,
     DrivelineSection,
     DutySection,
-    LossFactor,
+    LubricationSection,
     PresentConnection,
-    Proportional,
-    Relative,
 )
+from coupling_design.case.stated import Stated
 from coupling_design.driveline.parameters import (
     Connection,
     Coupling,
     DampingLaw,
     Driveline,
     ExcitationOrder,
-    LossFactorDamping,
-    ProportionalDamping,
-    RelativeDamping,
     Resistance,
     Shutdown,
 )
 
 
 def build_case(
-    section: CaseSection, file: str, sha256: str, provenance: tuple[SourcedValue, ...]
+    section: CaseSection,
+    file: str,
+    sha256: str,
+    provenance: tuple[SourcedValue, ...],
+    catalogues: Catalogues,
 ) -> Case:
     """Return the case a file describes; its relations must have been checked."""
-    coupling_types = tuple(_coupling_type(entry) for entry in section.coupling_types)
+    connections = _connections(section.design_space.connections)
+    coupling_types = _coupling_types(section, catalogues, connections)
     present_type = section.driveline.coupling.type
     damping_law = next(
         entry.damping_law for entry in coupling_types if entry.name == present_type
     )
     joint = _joint(section.driveline.connection)
     first, second = (Bearing(**bearing.model_dump()) for bearing in section.bearings)
-    lubrication = section.lubrication
     return Case(
         name=section.name,
         description=section.description,
@@ -62,15 +64,33 @@ def build_case(
         shutdown=Shutdown(**section.shutdown.model_dump()),
         shaft=ShaftGeometry(**section.shaft.model_dump()),
         bearings=(first, second),
-        lubrication=Lubrication(
-            viscosity=lubrication.viscosity.value,
-            cleanliness=lubrication.cleanliness.value,
-        ),
-        reliability=lubrication.reliability.value,
+        lubrication=_lubrication(section.lubrication),
+        reliability=section.lubrication.reliability.value,
         duty=_duty(section.duty),
         coupling_types=coupling_types,
-        connections=_connections(section.design_space.connections),
+        connections=connections,
         provenance=provenance,
+        catalogues=catalogues.files,
+        choose=section.design_space.choose,
+        present_driving_inertia=_value(section.driveline.coupling.driving_inertia),
+    )
+
+
+def _coupling_types(
+    section: CaseSection,
+    catalogues: Catalogues,
+    connections: tuple[ConnectionOption, ...],
+) -> tuple[CouplingType, ...]:
+    kinds: set[str] = {option.kind for option in connections}
+    return (
+        *(_coupling_type(entry) for entry in section.coupling_types),
+        *(offered(series, kinds) for series in catalogues.types),
+    )
+
+
+def _lubrication(section: LubricationSection) -> Lubrication:
+    return Lubrication(
+        viscosity=section.viscosity.value, cleanliness=section.cleanliness.value
     )
 
 
@@ -110,7 +130,14 @@ def _duty(section: DutySection) -> Duty:
         rated_torque=section.rated_torque.value,
         peak_torque=section.peak_torque.value,
         service_factor=section.service_factor.value,
+        rare_torque=_value(section.rare_torque),
+        temperature_factor=_value(section.temperature_factor) or 1.0,
+        start_factor=_value(section.start_factor) or 1.0,
     )
+
+
+def _value(stated: Stated[float] | None) -> float | None:
+    return None if stated is None else stated.value
 
 
 def _coupling_type(section: CouplingTypeSection) -> CouplingType:
@@ -123,20 +150,9 @@ def _coupling_type(section: CouplingTypeSection) -> CouplingType:
         maximum_torque=section.maximum_torque.value,
         maximum_speed=section.maximum_speed.value,
         stiffness_range=(stiffness.lowest.value, stiffness.highest.value),
-        damping_law=_damping_law(section.damping),
+        damping_law=build_damping_law(section.damping),
         connections=section.connections,
     )
-
-
-def _damping_law(section: Proportional | LossFactor | Relative) -> DampingLaw:
-    values = section.model_dump(exclude={"law"})
-    match section:
-        case Proportional():
-            return ProportionalDamping(**values)
-        case LossFactor():
-            return LossFactorDamping(**values)
-        case Relative():
-            return RelativeDamping(**values)
 
 
 def _connections(section: ConnectionChoices) -> tuple[ConnectionOption, ...]:

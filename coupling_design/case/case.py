@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
+from coupling_design.case.catalogue_sizes import CatalogueFile, CouplingSize
 from coupling_design.driveline.parameters import (
     Connection,
     DampingLaw,
@@ -43,6 +44,13 @@ class ConnectionKind(StrEnum):
     TIGHT_FIT = "tight_fit"
 
 
+class Choice(StrEnum):
+    """What the design settles on: the ideal stiffness, or the best real size."""
+
+    OPTIMUM = "optimum"
+    CATALOGUE = "catalogue"
+
+
 class Source(StrEnum):
     """Where a value comes from."""
 
@@ -61,12 +69,17 @@ class Duty:
     """What the set works at.
 
     `working_speed` is the lowest and the highest [rad/s], torques are in N m.
+    `rare_torque` comes a few times in a life (short circuit); None if not stated.
+    Temperature and start factor are DIN 740-2's S_t (elastomers only) and S_z.
     """
 
     working_speed: tuple[float, float]
     rated_torque: float
     peak_torque: float
     service_factor: float
+    rare_torque: float | None = None
+    temperature_factor: float = 1.0
+    start_factor: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -82,6 +95,7 @@ class CouplingType:
     stiffness_range : lowest and highest dynamic stiffness of the family [N m/rad]
     damping_law : how its damping follows its stiffness
     connections : kinds of hub it is made with
+    sizes : the real ones, softest first, where it is a series of a catalogue
     """
 
     name: str
@@ -93,6 +107,22 @@ class CouplingType:
     stiffness_range: tuple[float, float]
     damping_law: DampingLaw
     connections: tuple[ConnectionKind, ...]
+    sizes: tuple[CouplingSize, ...] = ()
+
+    def with_sizes(self, sizes: tuple[CouplingSize, ...]) -> CouplingType:
+        """Return the series of these sizes: their span, and what each of them takes."""
+        ordered = tuple(sorted(sizes, key=lambda size: size.torsional_stiffness))
+        return replace(
+            self,
+            nominal_torque=min(size.nominal_torque for size in ordered),
+            maximum_torque=min(size.maximum_torque for size in ordered),
+            maximum_speed=min(size.maximum_speed for size in ordered),
+            stiffness_range=(
+                ordered[0].torsional_stiffness,
+                ordered[-1].torsional_stiffness,
+            ),
+            sizes=ordered,
+        )
 
 
 @dataclass(frozen=True)
@@ -159,6 +189,8 @@ class Case:
 
     `driveline` holds the present coupling and connection; `present_coupling_type`
     and `present_connection` name what they are among the choices.
+    `present_driving_inertia` [kg m^2] is what the present coupling's driving half has
+    of the engine's inertia, None if not stated.
     """
 
     name: str
@@ -179,6 +211,9 @@ class Case:
     coupling_types: tuple[CouplingType, ...]
     connections: tuple[ConnectionOption, ...]
     provenance: tuple[SourcedValue, ...]
+    catalogues: tuple[CatalogueFile, ...] = ()
+    choose: Choice = Choice.OPTIMUM
+    present_driving_inertia: float | None = None
 
     @property
     def assumptions(self) -> tuple[SourcedValue, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from coupling_design.case.case import ConnectionKind
 from coupling_design.case.kinds import Gap, Stiffness
@@ -15,28 +15,39 @@ _SPACE: Path = ("design_space", "connections")
 GAPPED = (ConnectionKind.KEY, ConnectionKind.SPLINE)
 
 
-def check_choices(values: Values) -> Iterator[Problem]:
-    """Yield what is present but not offered, or offered but not described."""
-    yield from _present_coupling(values)
+def check_choices(
+    values: Values, series: Sequence[str] | None = ()
+) -> Iterator[Problem]:
+    """Yield what is present but not offered, or offered but not described.
+
+    `series` are the names of the catalogues' series, None if not all could be read.
+    """
+    yield from _present_coupling(values, series)
     yield from _present_connection(values)
     yield from _contact_parameters(values)
     yield from _offered_connections(values)
 
 
-def _present_coupling(values: Values) -> Iterator[Problem]:
+def _present_coupling(
+    values: Values, series: Sequence[str] | None
+) -> Iterator[Problem]:
     path: Path = ("driveline", "coupling", "type")
     present = values.text(*path)
     names = [
         values.text("coupling_types", index, "name")
         for index in range(values.count("coupling_types"))
     ]
-    if not present or not names:
+    allowed = [*names, *(series or ())]
+    if not present or not allowed or present in (series or ()):
+        return
+    if present not in names and series is None:
         return
     if present not in names:
+        among = "coupling_types and series" if series else "coupling_types"
         yield Problem(
             path,
-            f"found '{present}', which is not among the coupling_types; "
-            f"{suggestion(present, names)}allowed: {', '.join(names)}",
+            f"found '{present}', which is not among the {among}; "
+            f"{suggestion(present, allowed)}allowed: {', '.join(allowed)}",
         )
         return
     entry = ("coupling_types", names.index(present))

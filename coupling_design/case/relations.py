@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from coupling_design.bearing.life import RELIABILITY_FACTORS
+from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues
+from coupling_design.case.catalogue_relations import check_catalogues
 from coupling_design.case.choices import GAPPED, check_choices
 from coupling_design.case.document import Document
 from coupling_design.case.kinds import (
@@ -28,7 +30,9 @@ from coupling_design.case.values import Values, check_ordered, check_unique
 _MOST_STEPS = 10_000_000
 
 
-def check_relations(document: Document) -> Iterator[Problem]:
+def check_relations(
+    document: Document, catalogues: Catalogues = NO_CATALOGUES
+) -> Iterator[Problem]:
     """Yield every broken relation whose values can be read."""
     values = Values(document)
     yield from _ordered_pairs(values)
@@ -36,7 +40,9 @@ def check_relations(document: Document) -> Iterator[Problem]:
     yield from _two_bearings(values)
     yield from _shutdown(values)
     yield from _reliability(values)
-    yield from check_choices(values)
+    series = [series.name for series in catalogues.types]
+    yield from check_choices(values, series if catalogues.is_sound else None)
+    yield from check_catalogues(values, catalogues)
 
 
 def _ordered_pairs(values: Values) -> Iterator[Problem]:

@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from coupling_design.bearing.parameters import BearingType, Cleanliness
-from coupling_design.case.case import ConnectionKind, LoadLimitReading, Plan
+from coupling_design.case.case import Choice, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.case.kinds import (
     Angle,
     AngularSpeed,
@@ -42,6 +42,7 @@ class PresentCoupling(Section):
 
     type: Text
     torsional_stiffness: Stated[Stiffness]
+    driving_inertia: Stated[Inertia] | None = None
 
 
 class PresentConnection(Section):
@@ -136,6 +137,9 @@ class DutySection(Section):
     rated_torque: Stated[PositiveTorque]
     peak_torque: Stated[PositiveTorque]
     service_factor: Stated[Number]
+    rare_torque: Stated[PositiveTorque] | None = None
+    temperature_factor: Stated[Number] | None = None
+    start_factor: Stated[Number] | None = None
 
 
 class StiffnessRange(Section):
@@ -204,6 +208,7 @@ class DesignSpace(Section):
     """What the design may choose besides the coupling."""
 
     connections: ConnectionChoices
+    choose: Choice = Choice.OPTIMUM
 
 
 class CaseSection(Section):
@@ -218,5 +223,6 @@ class CaseSection(Section):
     bearings: tuple[BearingSection, ...]
     lubrication: LubricationSection
     duty: DutySection
-    coupling_types: Annotated[tuple[CouplingTypeSection, ...], Field(min_length=1)]
+    coupling_types: Annotated[tuple[CouplingTypeSection, ...], Field(min_length=1)] = ()
+    catalogue: Annotated[tuple[Text, ...], Field(min_length=1)] = ()
     design_space: DesignSpace

@@ -62,7 +62,7 @@ def check_between(
 def check_ordered(
     values: Values, pairs: Iterable[tuple[Any, Path, Path]]
 ) -> Iterator[Problem]:
-    """Yield a problem for each (kind, smaller, larger) whose first exceeds the other."""
+    """Yield a problem for each (kind, smaller, larger) that is the other way round."""
     for kind, lower, upper in pairs:
         small, large = values.read(kind, *lower), values.read(kind, *upper)
         if None not in (small, large) and exceeds(small, large):

@@ -1,0 +1,69 @@
+"""A document held against its model and its relations: all problems at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+
+from coupling_design.case.document import Document
+from coupling_design.case.messages import problems_of
+from coupling_design.case.problem import Path, Problem, dotted
+from coupling_design.case.stated import Section
+
+Model = TypeVar("Model", bound=Section)
+
+
+def check_form(
+    document: Document, model: type[Model], relations: Iterable[Problem]
+) -> tuple[Model | None, list[str]]:
+    """Return a document's content in the shape of a model, and what is wrong with it.
+
+    The sentences are as the user reads them, in the order of the file; the content is
+    None where its form is at fault. `relations` are the broken ones.
+    """
+    if not isinstance(document.data, dict):
+        keys = ", ".join(model.model_fields)
+        return None, [
+            f"{document.file}:{document.line(())}: the file holds no mapping; "
+            f"expected the keys {keys}"
+        ]
+    problems = [*document.problems]
+    section: Model | None = None
+    try:
+        section = model.model_validate(document.data)
+    except ValidationError as error:
+        problems += problems_of(error, model, document)
+    told = {problem.path for problem in problems}
+    empty = _empty_values(document.data, ())
+    problems += [problem for problem in empty if problem.path not in told]
+    problems += relations
+    return section, sentences(problems, document)
+
+
+def sentences(problems: Iterable[Problem], document: Document) -> list[str]:
+    """Return problems as the user reads them, in the order of the file."""
+    located = {
+        (
+            problem.line or document.line(problem.path),
+            f"{dotted(problem.path)}: " if problem.path else "",
+            problem.sentence,
+        )
+        for problem in problems
+    }
+    return [
+        f"{document.file}:{line}: {path}{sentence}"
+        for line, path, sentence in sorted(located)
+    ]
+
+
+def _empty_values(data: Any, path: Path) -> Iterator[Problem]:
+    if data is None:
+        yield Problem(path, "found nothing; write a value or delete the key")
+    elif isinstance(data, dict):
+        for key, value in data.items():
+            yield from _empty_values(value, (*path, key))
+    elif isinstance(data, list):
+        for index, value in enumerate(data):
+            yield from _empty_values(value, (*path, index))
