@@ -1,0 +1,163 @@
+"""Present and chosen coupling over the speed range: Campbell diagram, steady vibration.
+
+Sources
+-------
+[1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062: section
+    "Design method", steps 2 and 4, sqrt 2 between excitation and natural frequency.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from coupling_design.arithmetic import FloatArray
+from coupling_design.case.case import Case, ConnectionKind, Plan
+from coupling_design.design.baseline import present_candidate
+from coupling_design.design.candidate import Candidate, candidate_driveline
+from coupling_design.design.constraints import ISOLATION_RATIO
+from coupling_design.design.results import ChosenDesign
+from coupling_design.design.state import connection_option
+from coupling_design.design.steady_vibration import (
+    OperatingPoint,
+    SteadyVibration,
+    evaluate_vibration,
+    operating_points,
+)
+from coupling_design.driveline.campbell import (
+    CriticalSpeed,
+    critical_speeds,
+    natural_frequencies,
+    order_lines,
+)
+from coupling_design.driveline.parameters import Driveline
+
+CHART_END = 1.1  # of the highest working speed
+
+
+@dataclass(frozen=True)
+class ForbiddenBand:
+    """Speeds that an order forbids to a coupling, [1]: sqrt 2 from its lowest mode.
+
+    Soft plan: all below `border`, where excitation over natural frequency is less than
+    sqrt 2. High-stiffness plan: all above, where natural frequency over excitation is.
+    `order` [-], `border` [rad/s]; `reaches_working_speed` says whether it fails.
+    """
+
+    order: float
+    plan: Plan
+    border: float
+    reaches_working_speed: bool
+
+
+@dataclass(frozen=True)
+class CouplingSpeeds:
+    """One coupling over the speed range.
+
+    Attributes
+    ----------
+    name, label : what it is to the design, "present"; its type and connection
+    torsional_stiffness : [N m/rad]
+    natural_frequencies : of all torsional modes, ascending (n_modes,) [Hz]
+    critical_speeds : slowest first, also those beyond the chart
+    forbidden_bands : one per order
+    vibration : over the chart
+    operating_points : both ends of the working range, the worst in it and of all
+    """
+
+    name: str
+    label: str
+    torsional_stiffness: float
+    natural_frequencies: FloatArray
+    critical_speeds: tuple[CriticalSpeed, ...]
+    forbidden_bands: tuple[ForbiddenBand, ...]
+    vibration: SteadyVibration
+    operating_points: tuple[OperatingPoint, ...]
+
+
+@dataclass(frozen=True)
+class SpeedMap:
+    """Campbell diagram and steady vibration of a case, present coupling and chosen.
+
+    Attributes
+    ----------
+    orders : of the excitation (n_orders,) [-]
+    working_speed : lowest and highest [rad/s]
+    speeds : of the diagram, both ends (2,) [rad/s]
+    order_lines : frequency of each order at both ends (n_orders, 2) [Hz]
+    present, chosen : the couplings; None where none was chosen
+    """
+
+    orders: FloatArray
+    working_speed: tuple[float, float]
+    speeds: FloatArray
+    order_lines: FloatArray
+    present: CouplingSpeeds
+    chosen: CouplingSpeeds | None
+
+
+def evaluate_speed_map(case: Case, chosen: ChosenDesign | None = None) -> SpeedMap:
+    """Return the case's speed map, the chosen coupling's beside the present one's."""
+    ends = np.array([0.0, _end(case.duty.working_speed)])
+    return SpeedMap(
+        orders=np.array([o.order for o in case.driveline.excitation], dtype=float),
+        working_speed=case.duty.working_speed,
+        speeds=ends,
+        order_lines=order_lines(case.driveline, ends),
+        present=_coupling_speeds(
+            case, "present", present_candidate(case), case.driveline
+        ),
+        chosen=None if chosen is None else _chosen_speeds(case, chosen),
+    )
+
+
+def _chosen_speeds(case: Case, chosen: ChosenDesign) -> CouplingSpeeds:
+    kind = next(t for t in case.coupling_types if t.name == chosen.coupling_type)
+    option = connection_option(case, ConnectionKind(chosen.connection))
+    candidate = Candidate(kind, option)
+    design = chosen.performance
+    driveline = candidate_driveline(
+        case, candidate, design.torsional_stiffness, design.key_gap
+    )
+    return _coupling_speeds(case, "chosen", candidate, driveline)
+
+
+def _coupling_speeds(
+    case: Case, name: str, candidate: Candidate, driveline: Driveline
+) -> CouplingSpeeds:
+    working = case.duty.working_speed
+    critical = critical_speeds(driveline, working)
+    frequencies = natural_frequencies(driveline)
+    peaks = [c.speed for c in critical]
+    vibration = evaluate_vibration(driveline, _end(working), (*working, *peaks))
+    return CouplingSpeeds(
+        name=name,
+        label=candidate.label,
+        torsional_stiffness=float(driveline.coupling.torsional_stiffness),
+        natural_frequencies=frequencies,
+        critical_speeds=critical,
+        forbidden_bands=tuple(
+            _band(o.order, candidate.coupling_type.plan, float(frequencies[0]), working)
+            for o in driveline.excitation
+        ),
+        vibration=vibration,
+        operating_points=operating_points(vibration, working),
+    )
+
+
+def _band(
+    order: float, plan: Plan, frequency: float, working: tuple[float, float]
+) -> ForbiddenBand:
+    """Return [1]: i Omega / omega_n >= sqrt 2 (soft), omega_n / (i Omega) (stiff)."""
+    resonance = 2 * math.pi * frequency / order
+    if plan is Plan.ELASTIC:
+        border = ISOLATION_RATIO * resonance
+        return ForbiddenBand(order, plan, border, border > working[0])
+    border = resonance / ISOLATION_RATIO
+    return ForbiddenBand(order, plan, border, border < working[1])
+
+
+def _end(working: tuple[float, float]) -> float:
+    return CHART_END * working[1]
