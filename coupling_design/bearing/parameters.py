@@ -25,6 +25,24 @@ class Cleanliness(StrEnum):
     VERY_SEVERE = "very_severe"
 
 
+class OilCleanliness(StrEnum):
+    """Solid contamination of oil by ISO 4406 code, ISO 281:2007 Annex A.
+
+    Circulating oil filtered on-line (the filter's beta ratio in the comment), and oil
+    baths or oil filtered off-line.
+    """
+
+    FILTERED_13_10 = "oil_filtered_13_10"  # beta_6(c) = 200
+    FILTERED_15_12 = "oil_filtered_15_12"  # beta_12(c) = 200
+    FILTERED_17_14 = "oil_filtered_17_14"  # beta_25(c) >= 75
+    FILTERED_19_16 = "oil_filtered_19_16"  # beta_40(c) >= 75
+    UNFILTERED_13_10 = "oil_unfiltered_13_10"
+    UNFILTERED_15_12 = "oil_unfiltered_15_12"
+    UNFILTERED_17_14 = "oil_unfiltered_17_14"
+    UNFILTERED_19_16 = "oil_unfiltered_19_16"
+    UNFILTERED_21_18 = "oil_unfiltered_21_18"
+
+
 @dataclass(frozen=True)
 class ShaftGeometry:
     """Overhung shaft: l1 hub to bearing 1, l2, l3 bearings to rotor [m], G [N]."""
@@ -62,7 +80,7 @@ class Bearing:
 
 @dataclass(frozen=True)
 class Lubrication:
-    """Kinematic viscosity at operating temperature [m^2/s] and grease cleanliness."""
+    """Kinematic viscosity at operating temperature [m^2/s] and cleanliness."""
 
     viscosity: Scalar
-    cleanliness: Cleanliness
+    cleanliness: Cleanliness | OilCleanliness
