@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import platform
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -127,38 +126,53 @@ def two_cores(subject: Subject, batch: Batch) -> float:
 
 
 def interpreted(subject: Subject, n_steps: int) -> list[Row]:
-    """Return CasADi's virtual machine and its own derivatives beside the machine code.
-
-    Its derivatives are taken of a tenth of the steps, to bear their memory.
-    """
-    batch, tenth = subject.batch(1), n_steps // 10
-    start, point = ca.DM(batch.starts), ca.DM(batch.points)
-    machine = march(subject.step, tenth)
-    joint = march(subject.joint_step, tenth)
-    forward, reverse = machine.forward(2), machine.reverse(1)
-    end, seeds = machine(start, point), ca.DM(batch.joint_starts)[start.numel() :]
+    """Return CasADi's virtual machine beside the machine code."""
+    batch = subject.batch(1)
     value, gradient = (
-        _compiled(subject.step, tenth),
-        _compiled(subject.joint_step, tenth),
+        _compiled(subject.step, n_steps),
+        _compiled(subject.joint_step, n_steps),
     )
+    machine, joint = march(subject.step, n_steps), march(subject.joint_step, n_steps)
     times = time_in_turns(
         {
             "value": lambda: value(batch.starts, batch.points),
+            "VM value": lambda: machine(batch.starts, batch.points),
             "gradient": lambda: gradient(batch.joint_starts, batch.points),
-            "VM value": lambda: machine(start, point),
-            "VM in step": lambda: joint(ca.DM(batch.joint_starts), point),
-            "VM forward": lambda: forward(
-                start, point, end, ca.reshape(seeds, -1, 2), ca.DM.eye(2)
-            ),
-            "VM reverse": lambda: reverse(start, point, end, ca.DM.ones(end.shape)),
+            "VM gradient": lambda: joint(batch.joint_starts, batch.points),
         },
-        3,
+        ROUNDS,
     )
     return [
         _row(times, "VM value", "value", "-", "CasADi's virtual machine, value"),
-        _row(times, "VM in step", "gradient", "-", "the same, sensitivities in step"),
-        _row(times, "VM forward", "gradient", "-", "CasADi forward, 2 directions"),
-        _row(times, "VM reverse", "gradient", "-", "CasADi reverse, 1 direction"),
+        _row(times, "VM gradient", "gradient", "-", "the same, sensitivities in step"),
+        *differentiated(subject, batch, n_steps // 10),
+    ]
+
+
+def differentiated(subject: Subject, batch: Batch, n_steps: int) -> list[Row]:
+    """Return CasADi's own derivatives of a march beside sensitivities in its step.
+
+    All on the virtual machine; fewer steps, to bear the memory.
+    """
+    start, point = ca.DM(batch.starts), ca.DM(batch.points)
+    value, joint = march(subject.step, n_steps), march(subject.joint_step, n_steps)
+    forward, reverse = value.forward(2), value.reverse(1)
+    end = value(start, point)
+    directions = ca.reshape(ca.DM(batch.joint_starts)[start.numel() :], -1, 2)
+    times = time_in_turns(
+        {
+            "in step": lambda: joint(batch.joint_starts, point),
+            "forward": lambda: forward(start, point, end, directions, ca.DM.eye(2)),
+            "reverse": lambda: reverse(start, point, end, ca.DM.ones(end.shape)),
+        },
+        ROUNDS,
+    )
+    there = f"sensitivities in step (virtual machine, {n_steps} steps)"
+    return [
+        _row(
+            times, "forward", "in step", "-", "CasADi forward, 2 directions", to=there
+        ),
+        _row(times, "reverse", "in step", "-", "CasADi reverse, 1 direction", to=there),
     ]
 
 
@@ -166,10 +180,8 @@ def integrated(subject: Subject) -> list[Row]:
     """Return solve_ivp beside one design of a batch, on one core."""
     n_steps = subject.case.shutdown.n_steps
     batch, value = subject.batch(BATCH), _compiled(subject.step, n_steps)
-    value(batch.starts, batch.points, 1)
-    began = time.perf_counter()
-    value(batch.starts, batch.points, 1)
-    each = (time.perf_counter() - began) / BATCH
+    march_all = {"all": lambda: value(batch.starts, batch.points, 1)}
+    each = time_in_turns(march_all, 3).seconds("all") / BATCH
     method, taken = fastest_of_equal_accuracy(subject)
     return [
         (
@@ -199,11 +211,17 @@ def _check(
 
 
 def _row(
-    times: Timings, name: str, peer: str, bound: str, text: str = "", of: int = 1
+    times: Timings,
+    name: str,
+    peer: str,
+    bound: str,
+    text: str = "",
+    of: int = 1,
+    to: str = "",
 ) -> Row:
     milliseconds = f"{times.seconds(name) / of * 1e3:.2f} ms"
     measured = f"{times.ratio(name, peer):.2f} x ({milliseconds})"
-    return f"{text or name} against {peer}", measured, bound
+    return f"{text or name} against {to or peer}", measured, bound
 
 
 def _processor() -> str:
