@@ -178,7 +178,8 @@ def test_without_a_compiler_the_virtual_machine_does_it(pendulum_step, monkeypat
     expected = on_virtual_machine(pendulum_step, 20, starts, points)
     np.testing.assert_array_equal(marcher(starts, points), expected)
     assert marcher.engine == (
-        "CasADi's virtual machine, 6 to 50 times slower: COUPLING_DESIGN_COMPILER is none"
+        "CasADi's virtual machine, 6 to 50 times slower: "
+        "COUPLING_DESIGN_COMPILER is none"
     )
 
 
