@@ -8,6 +8,8 @@ import pytest
 
 from coupling_design.bearing import parameters as bearing
 from coupling_design.driveline import parameters as driveline
+from coupling_design.engine import figures, firing, orders
+from coupling_design.engine import parameters as engine
 
 NOMENCLATURE = Path(__file__).parents[1] / "NOMENCLATURE.md"
 NOT_PHYSICAL = {"–", "text", "part", "rev"}
@@ -43,6 +45,13 @@ def test_driveline_parameter_has_a_row(field):
 @pytest.mark.parametrize("field", fields(bearing))
 def test_bearing_parameter_has_a_row(field):
     assert field in dict(tables()["Bearing"])
+
+
+@pytest.mark.parametrize(
+    "field", [f for module in (engine, figures, firing, orders) for f in fields(module)]
+)
+def test_engine_parameter_has_a_row(field):
+    assert field in dict(tables()["Engine"])
 
 
 @pytest.mark.parametrize("section", tables())
