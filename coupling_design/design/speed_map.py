@@ -35,6 +35,9 @@ from coupling_design.driveline.campbell import (
 from coupling_design.driveline.parameters import Driveline
 
 CHART_END = 1.1  # of the highest working speed
+# Points of the curves near a critical speed, relative to it: 0.5 % apart, so that a
+# damping ratio of 0.01 still draws a round peak.
+_AROUND_PEAKS = 1 + np.arange(-20, 21) / 200
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,16 @@ class CouplingSpeeds:
     forbidden_bands: tuple[ForbiddenBand, ...]
     vibration: SteadyVibration
     operating_points: tuple[OperatingPoint, ...]
+
+    @property
+    def separated(self) -> bool:
+        """Whether every critical speed keeps its margin to the working range."""
+        return all(critical.passes for critical in self.critical_speeds)
+
+    @property
+    def isolated(self) -> bool:
+        """Whether no forbidden band reaches the working range."""
+        return not any(band.reaches_working_speed for band in self.forbidden_bands)
 
 
 @dataclass(frozen=True)
@@ -130,7 +143,7 @@ def _coupling_speeds(
     working = case.duty.working_speed
     critical = critical_speeds(driveline, working)
     frequencies = natural_frequencies(driveline)
-    peaks = [c.speed for c in critical]
+    peaks = np.outer([c.speed for c in critical], _AROUND_PEAKS).ravel()
     vibration = evaluate_vibration(driveline, _end(working), (*working, *peaks))
     return CouplingSpeeds(
         name=name,

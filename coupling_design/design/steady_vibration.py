@@ -62,8 +62,8 @@ def evaluate_vibration(
 ) -> SteadyVibration:
     """Return the steady vibration up to a speed, and at others on the way [rad/s].
 
-    Name critical speeds in `also`, so that no peak falls between two points. Speeds
-    begin above zero, where a line free to turn has no steady vibration.
+    Name speeds near resonance in `also`, so that no peak falls between two points; the
+    range begins above zero, where a line free to turn has no steady vibration.
     """
     even = np.linspace(0.0, highest_speed, _SPEEDS + 1)[1:]
     others = [speed for speed in also if 0.0 < speed < highest_speed]
