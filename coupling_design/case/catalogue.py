@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path as FilePath
@@ -58,7 +59,7 @@ def load_catalogues(document: Document) -> Catalogues:
 
 
 def _load(case_file: str, entry: str, path: Path) -> Catalogues:
-    location = FilePath(case_file).parent / entry
+    location = FilePath(os.path.normpath(FilePath(case_file).parent / entry))
     file = str(location)
     try:
         content = read_bytes(location, file)
