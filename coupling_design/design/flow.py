@@ -15,6 +15,8 @@ from coupling_design.design.baseline import (
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
+from coupling_design.design.coupling_checks import size_criteria, torque_criteria
+from coupling_design.design.discrete import choose_size, settle
 from coupling_design.design.histories import chosen_map, rundown_history
 from coupling_design.design.results import (
     ChosenDesign,
@@ -34,10 +36,7 @@ from coupling_design.design.search import (
 from coupling_design.design.signals import RundownHistory
 from coupling_design.design.stability import check_time_step
 from coupling_design.design.stages.bearing_load import limit_bearing_load
-from coupling_design.design.stages.coupling_types import (
-    determine_coupling_types,
-    torque_criteria,
-)
+from coupling_design.design.stages.coupling_types import determine_coupling_types
 from coupling_design.design.stages.high_stiffness_plan import plan_high_stiffness
 from coupling_design.design.stages.key_gap import minimise_key_gap
 from coupling_design.design.stages.vibration_isolation import (
@@ -77,6 +76,8 @@ def run_design(
     for number, stage in enumerate(STAGES, start=1):
         bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
         state = stage(state)
+    choice = choose_size(state)
+    state = settle(state, choice)
     chosen = _chosen(state, state.solution) if state.solution else None
     nearest = None if chosen else state.nearest
     shown = chosen or nearest
@@ -95,6 +96,7 @@ def run_design(
         engine=bench.engine,
         rollouts=bench.rollouts,
         run_time=time.perf_counter() - began,
+        catalogue_choice=choice,
     )
 
 
@@ -103,22 +105,28 @@ def _prefixed(progress: Progress, prefix: str) -> Progress:
 
 
 def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
-    evaluator = state.bench.evaluator(solution.candidate)
+    case, candidate = state.case, solution.candidate
+    evaluator = state.bench.evaluator(candidate)
     performance = solution.optimum.performance
     state.bench.progress("run-down of the chosen coupling")
     return ChosenDesign(
         plan=solution.plan,
-        coupling_type=solution.candidate.coupling_type.name,
-        connection=solution.candidate.connection.kind.value,
+        coupling_type=candidate.coupling_type.name,
+        connection=candidate.connection.kind.value,
         performance=performance,
         rundown=rundown(evaluator, performance),
         conditioning=solution.optimum.conditioning
         or conditioning(evaluator, performance),
         damage_reduction=1 - performance.damage / state.baseline.performance.damage,
         criteria=(
-            *torque_criteria(state.case, solution.candidate.coupling_type),
+            *(
+                size_criteria(case, candidate, candidate.size)
+                if candidate.size
+                else torque_criteria(case, candidate.coupling_type)
+            ),
             *(limit.criterion(performance) for limit in solution.constraints),
         ),
+        size=candidate.size.name if candidate.size else None,
     )
 
 
@@ -133,11 +141,13 @@ def _histories(
     )
     if shown is None:
         return (present,)
+    if chosen and state.solution:
+        candidate = state.solution.candidate
+        return present, rundown_history(case, candidate, shown.performance, "chosen")
     kind = next(t for t in case.coupling_types if t.name == shown.coupling_type)
     connection = connection_option(case, ConnectionKind(shown.connection))
-    role = "chosen" if chosen else "nearest"
     candidate = Candidate(kind, connection)
-    return present, rundown_history(case, candidate, shown.performance, role)
+    return present, rundown_history(case, candidate, shown.performance, "nearest")
 
 
 def _strict_reading(case: Case, performance: Performance) -> LoadReading:

@@ -5,16 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from coupling_design.arithmetic import Scalar
 from coupling_design.case.case import Case, Plan, SourcedValue
+from coupling_design.design.catalogue_choice import CatalogueChoice
+from coupling_design.design.performance import Criterion as Criterion
+from coupling_design.design.performance import Performance as Performance
+from coupling_design.design.performance import Sense as Sense
 from coupling_design.design.signals import RundownHistory
-
-
-class Sense(StrEnum):
-    """Which side of its limit a value must lie on."""
-
-    AT_MOST = "<="
-    AT_LEAST = ">="
 
 
 class Decision(StrEnum):
@@ -23,51 +19,6 @@ class Decision(StrEnum):
     PASS = "pass"
     FAIL = "fail"
     SKIPPED = "skipped"
-
-
-@dataclass(frozen=True)
-class Criterion:
-    """A value held against its limit.
-
-    `margin` is the distance to the limit relative to it, positive on the good side;
-    `unit` is SI; `source` says where the limit comes from.
-    """
-
-    name: str
-    value: float
-    limit: float
-    sense: Sense
-    unit: str
-    passes: bool
-    margin: float
-    source: str
-
-
-@dataclass(frozen=True)
-class Performance:
-    """What one run-down with one coupling does; numbers, or symbols inside the NLP.
-
-    Attributes
-    ----------
-    torsional_stiffness : k_dyn [N m/rad]
-    key_gap : Phi [m], 0 for a tight fit
-    natural_frequency : lowest, gap closed, undamped [Hz]
-    damages : Miner sum of bearing 1 and of bearing 2 [-]
-    peak_transmission_force : largest |F_c| [N]
-    peak_combined_load : largest load of bearing 1 and of bearing 2 [N]
-    """
-
-    torsional_stiffness: Scalar
-    key_gap: Scalar
-    natural_frequency: Scalar
-    damages: tuple[Scalar, Scalar]
-    peak_transmission_force: Scalar
-    peak_combined_load: tuple[Scalar, Scalar]
-
-    @property
-    def damage(self) -> float:
-        """Miner sum of the bearing that suffers more [-]."""
-        return float(max(self.damages))
 
 
 @dataclass(frozen=True)
@@ -203,7 +154,10 @@ class Baseline:
 
 @dataclass(frozen=True)
 class ChosenDesign:
-    """The coupling to take, against the present one and against every limit."""
+    """The coupling to take, against the present one and against every limit.
+
+    `size` is its name in the catalogue, None for an ideal stiffness between sizes.
+    """
 
     plan: Plan
     coupling_type: str
@@ -213,6 +167,7 @@ class ChosenDesign:
     conditioning: Conditioning
     damage_reduction: float
     criteria: tuple[Criterion, ...]
+    size: str | None = None
 
 
 @dataclass(frozen=True)
@@ -246,5 +201,6 @@ class DesignOutcome:
     engine: str
     rollouts: int
     run_time: float
+    catalogue_choice: CatalogueChoice | None = None
     histories: tuple[RundownHistory, ...] = field(default=(), compare=False, repr=False)
     chosen_map: DesignMap | None = None

@@ -2,105 +2,164 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
 from coupling_design.case.case import Case, CouplingType, Plan
+from coupling_design.case.catalogue_sizes import CouplingSize
+from coupling_design.design.candidate import Candidate
+from coupling_design.design.coupling_checks import (
+    size_criteria,
+    torque_criteria,
+    unchecked,
+)
 from coupling_design.design.results import (
     Alternative,
     Criterion,
     Decision,
-    Sense,
     StepResult,
 )
-from coupling_design.design.state import AllowedType, FlowState
+from coupling_design.design.state import AllowedType, FlowState, options_of
 
 TITLE = "Coupling types"
 QUESTION = "Which coupling types carry the torque, and what stiffness does each span?"
 
 
 def determine_coupling_types(state: FlowState) -> FlowState:
-    """Return the state with the types that carry torque and speed of the duty."""
+    """Return the state with the types that carry torque and speed of the duty.
+
+    A series of a catalogue goes on with those of its sizes that do.
+    """
     case = state.case
-    checked = {t.name: torque_criteria(case, t) for t in case.coupling_types}
-    carrying = tuple(
-        AllowedType(t, t.stiffness_range)
-        for t in case.coupling_types
-        if all(criterion.passes for criterion in checked[t.name])
+    checked = [_check(case, each) for each in case.coupling_types]
+    carrying = [each for each in checked if each.carried is not None]
+    allowed = tuple(
+        AllowedType(each.carried, each.carried.stiffness_range)
+        for each in carrying
+        if each.carried is not None
     )
     result = StepResult(
         step=1,
         title=TITLE,
         question=QUESTION,
         decision=Decision.PASS if carrying else Decision.FAIL,
-        criteria=tuple(c for criteria in checked.values() for c in criteria),
-        alternatives=tuple(
-            _alternative(t, checked[t.name]) for t in case.coupling_types
-        ),
-        findings=(
-            f"{len(carrying)} of {len(case.coupling_types)} coupling types carry the "
-            "torque and run at the highest working speed.",
-        ),
-        caveats=(
-            "Vibratory torque T_KW and power loss P_KV are not checked here: the case "
-            "file gives neither.",
-        ),
+        criteria=tuple(c for each in checked for c in each.criteria),
+        alternatives=tuple(a for each in checked for a in each.alternatives),
+        findings=tuple(_findings(checked)),
+        caveats=tuple(_caveats(case)),
     )
     return state.after(
         result,
-        elastic=tuple(a for a in carrying if a.coupling_type.plan is Plan.ELASTIC),
-        stiff=tuple(a for a in carrying if a.coupling_type.plan is Plan.HIGH_STIFFNESS),
+        elastic=tuple(a for a in allowed if a.coupling_type.plan is Plan.ELASTIC),
+        stiff=tuple(a for a in allowed if a.coupling_type.plan is Plan.HIGH_STIFFNESS),
     )
 
 
-def torque_criteria(case: Case, coupling_type: CouplingType) -> tuple[Criterion, ...]:
-    """Return rated torque, peak torque and speed against what the type can take."""
-    duty, name = case.duty, coupling_type.name
-    return (
-        _at_most(
-            f"{name}: rated torque x service factor",
-            duty.rated_torque * duty.service_factor,
-            coupling_type.nominal_torque,
-            "N*m",
-            "nominal torque T_KN of the type",
-        ),
-        _at_most(
-            f"{name}: peak torque",
-            duty.peak_torque,
-            coupling_type.maximum_torque,
-            "N*m",
-            "maximum torque T_Kmax of the type",
-        ),
-        _at_most(
-            f"{name}: highest working speed",
-            duty.working_speed[1],
-            coupling_type.maximum_speed,
-            "rad/s",
-            "maximum speed of the type",
-        ),
-    )
+def carrying_sizes(
+    case: Case, coupling_type: CouplingType
+) -> tuple[tuple[CouplingSize, tuple[Criterion, ...]], ...]:
+    """Return the sizes of a series that carry the duty, each with its criteria.
+
+    In the tightest connection, which no gap and no key makes softer.
+    """
+    checked = _size_criteria(case, coupling_type)
+    return tuple((size, criteria) for size, criteria in checked if _all_pass(criteria))
 
 
-def _at_most(
-    name: str, value: float, limit: float, unit: str, source: str
-) -> Criterion:
-    return Criterion(
-        name=name,
-        value=value,
-        limit=limit,
-        sense=Sense.AT_MOST,
-        unit=unit,
-        passes=value <= limit,
-        margin=1 - value / limit,
-        source=source,
-    )
+@dataclass(frozen=True)
+class _Checked:
+    """A type or series: what is left of it, None if nothing, and why."""
+
+    carried: CouplingType | None
+    criteria: tuple[Criterion, ...]
+    alternatives: tuple[Alternative, ...]
 
 
-def _alternative(
-    coupling_type: CouplingType, criteria: tuple[Criterion, ...]
-) -> Alternative:
+def _check(case: Case, coupling_type: CouplingType) -> _Checked:
+    if coupling_type.sizes:
+        return _check_series(case, coupling_type)
+    criteria = torque_criteria(case, coupling_type)
+    passes = _all_pass(criteria)
+    alternative = Alternative(coupling_type.name, passes, None, _span(coupling_type))
+    return _Checked(coupling_type if passes else None, criteria, (alternative,))
+
+
+def _check_series(case: Case, series: CouplingType) -> _Checked:
+    """Return the series of those sizes that carry.
+
+    Shown against its limits is the smallest that carries, or else the largest there is.
+    """
+    checked = _size_criteria(case, series)
+    left = [(size, criteria) for size, criteria in checked if _all_pass(criteria)]
+    alternatives = tuple(_alternative(*pair) for pair in checked)
+    if left:
+        carried = series.with_sizes(tuple(size for size, _ in left))
+        shown = min(left, key=lambda pair: pair[0].nominal_torque)
+        whole = Alternative(series.name, True, None, _span(carried))
+        return _Checked(carried, shown[1], (whole, *alternatives))
+    shown = max(checked, key=lambda pair: pair[0].nominal_torque)
+    whole = Alternative(series.name, False, None, "no size carries")
+    return _Checked(None, shown[1], (whole, *alternatives))
+
+
+def _size_criteria(
+    case: Case, series: CouplingType
+) -> tuple[tuple[CouplingSize, tuple[Criterion, ...]], ...]:
+    tightest = Candidate(series, options_of(case, series)[-1])
+    return tuple((size, size_criteria(case, tightest, size)) for size in series.sizes)
+
+
+def _all_pass(criteria: tuple[Criterion, ...]) -> bool:
+    return all(criterion.passes for criterion in criteria)
+
+
+def _span(coupling_type: CouplingType) -> str:
     low, high = (stiffness / 1e6 for stiffness in coupling_type.stiffness_range)
     plan = coupling_type.plan.value.replace("_", " ")
-    return Alternative(
-        name=coupling_type.name,
-        passes=all(criterion.passes for criterion in criteria),
-        performance=None,
-        remark=f"{plan} plan, {low:.4g} to {high:.4g} MN*m/rad",
+    sizes = f", {len(coupling_type.sizes)} sizes" if coupling_type.sizes else ""
+    return f"{plan} plan, {low:.4g} to {high:.4g} MN*m/rad{sizes}"
+
+
+def _alternative(size: CouplingSize, criteria: tuple[Criterion, ...]) -> Alternative:
+    stiffness = f"{size.torsional_stiffness / 1e6:.4g} MN*m/rad"
+    failed = [c.name.partition(": ")[2] for c in criteria if not c.passes]
+    least = min(criteria, key=lambda criterion: criterion.margin)
+    told = (
+        f"fails: {'; '.join(failed)}"
+        if failed
+        else f"least to spare, {least.margin:.0%}: {least.name.partition(': ')[2]}"
     )
+    return Alternative(size.name, not failed, None, f"{stiffness}; {told}")
+
+
+def _findings(checked: list[_Checked]) -> Iterator[str]:
+    left = [each.carried for each in checked if each.carried is not None]
+    yield (
+        f"{len(left)} of {len(checked)} coupling types carry the torque and run at the "
+        "highest working speed."
+    )
+    if any(len(each.alternatives) > 1 for each in checked):
+        yield (
+            "A series of the catalogue goes on with the sizes that carry; its limits "
+            "are shown for the smallest of them, or for its largest where none does."
+        )
+
+
+def _caveats(case: Case) -> Iterator[str]:
+    sizes = [size for each in case.coupling_types for size in each.sizes]
+    if not all(each.sizes for each in case.coupling_types):
+        whose = " for types without sizes" if sizes else ""
+        yield (
+            f"Vibratory torque T_KW and power loss P_KV are not checked{whose} here: "
+            "the case file gives neither."
+        )
+    for limit in ("T_KW", "P_KV"):
+        silent = [size.name for size in sizes if limit in unchecked(size)]
+        if silent:
+            yield f"The catalogue gives no {limit} for {', '.join(silent)}."
+    if sizes:
+        yield (
+            "Vibratory torque and power loss are those of the case's excitation, "
+            "orders added up with their crests together. Where that is of an engine "
+            "without fuel, the fired engine's is larger."
+        )

@@ -2,11 +2,9 @@ from dataclasses import replace
 
 import pytest
 
+from coupling_design.design.coupling_checks import torque_criteria
 from coupling_design.design.results import Decision
-from coupling_design.design.stages.coupling_types import (
-    determine_coupling_types,
-    torque_criteria,
-)
+from coupling_design.design.stages.coupling_types import determine_coupling_types
 
 
 @pytest.fixture

@@ -1,0 +1,60 @@
+"""What one coupling does in one run-down, and a value held against its limit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from coupling_design.arithmetic import Scalar
+
+
+class Sense(StrEnum):
+    """Which side of its limit a value must lie on."""
+
+    AT_MOST = "<="
+    AT_LEAST = ">="
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """A value held against its limit.
+
+    `margin` is the distance to the limit relative to it, positive on the good side;
+    `unit` is SI; `source` says where the limit comes from.
+    """
+
+    name: str
+    value: float
+    limit: float
+    sense: Sense
+    unit: str
+    passes: bool
+    margin: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Performance:
+    """What one run-down with one coupling does; numbers, or symbols inside the NLP.
+
+    Attributes
+    ----------
+    torsional_stiffness : k_dyn [N m/rad]
+    key_gap : Phi [m], 0 for a tight fit
+    natural_frequency : lowest, gap closed, undamped [Hz]
+    damages : Miner sum of bearing 1 and of bearing 2 [-]
+    peak_transmission_force : largest |F_c| [N]
+    peak_combined_load : largest load of bearing 1 and of bearing 2 [N]
+    """
+
+    torsional_stiffness: Scalar
+    key_gap: Scalar
+    natural_frequency: Scalar
+    damages: tuple[Scalar, Scalar]
+    peak_transmission_force: Scalar
+    peak_combined_load: tuple[Scalar, Scalar]
+
+    @property
+    def damage(self) -> float:
+        """Miner sum of the bearing that suffers more [-]."""
+        return float(max(self.damages))
