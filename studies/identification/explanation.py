@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case.case import Case
 from studies.identification.model import MORE_VARIANTS, run
 from studies.identification.parameters import Inputs, named_sets, shipped
-from studies.identification.targets import HALF, TARGETS, phases
+from studies.identification.targets import HALF, TARGETS, phases, targets_of
 
 # The paper's two numbers: what the high-stiffness coupling saves, what half costs [%].
 SAVED = next(-t.lowest for t in TARGETS if t.name == "D, high stiffness")
@@ -99,6 +99,27 @@ def by_cleanliness(case: Case, n_phases: int) -> Mapping[Cleanliness, Resonance]
     }
 
 
+def _of_rattling(case: Case) -> str:
+    """Return what the contact adds, by one set with its own contact and the shipped."""
+    rattling = named_sets()["lowest"].inputs
+    contact, resolved = rattling["contact_stiffness"], shipped()["contact_stiffness"]
+    values = (*rattling.values[:-1], resolved)
+    soft = _rise(case, replace(rattling, values=values), 1)
+    coarse, fine = (_rise(case, rattling, n) for n in (1, 4))
+    return (
+        "Rattling adds to it where the contact is too stiff for the paper's time step "
+        f"to follow: the set 'lowest' has a contact of {contact / 1e6:.0f} MN m/rad. D "
+        f"at half the stiffness changes by {coarse:+.0f} % at the paper's step and by "
+        f"{fine:+.0f} % at a quarter of it; with the shipped contact of "
+        f"{resolved / 1e6:.1f} MN m/rad it would be {soft:+.0f} %."
+    )
+
+
+def _rise(case: Case, inputs: Inputs, refinement: int) -> float:
+    """Return the change of D at half the stiffness [%]."""
+    return float(targets_of(case, [inputs], refinement)[0, HALF])
+
+
 def sentences(case: Case, n_phases: int) -> Sequence[str]:
     """Return the explanation, its numbers filled in."""
     classes = by_cleanliness(case, n_phases)
@@ -117,8 +138,7 @@ def sentences(case: Case, n_phases: int) -> Sequence[str]:
         "dirtier the grease. Rolled out with the shipped inputs in a tight fit the "
         f"part grows {now.linear_growth:.2f} times, with the key {now.growth:.2f} "
         f"times, and D changes by {now.rise:+.1f} % (averages over the start phase).",
-        "Rattling in the gap adds to it only where the contact is too stiff for the "
-        "paper's time step to follow: see the front.",
+        _of_rattling(case),
         f"Cleaner grease makes more of D resonance: with normal cleanliness "
         f"{clean.share:.1f} % of it instead of {now.share:.1f} %, but then the "
         f"high-stiffness coupling saves just that much, and not {SAVED:.2f} %. The set "

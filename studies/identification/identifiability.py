@@ -14,6 +14,7 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
+from studies.identification.jacobian import differences
 from studies.identification.parameters import (
     NAMES,
     QUANTITIES,
@@ -22,7 +23,6 @@ from studies.identification.parameters import (
     from_unit,
     to_unit,
 )
-from studies.identification.search import differences
 from studies.identification.targets import TARGETS, targets_over_phases
 
 # Share of the bounds that the derivatives step: wider than the ripple over the phase.

@@ -5,11 +5,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 
+import numpy as np
 from matplotlib.figure import Figure
 from rich.markup import escape
 from rich.table import Table
 
 from coupling_design.case.case import Case
+from coupling_design.report.numbers import significant
 from studies.command import Study
 from studies.identification.evidence import COMPROMISE, Evidence, examine, quick
 from studies.identification.parameters import (
@@ -26,8 +28,8 @@ from studies.identification.rows import (
     side_by_side,
     values_of_sets,
 )
-from studies.identification.targets import HALF, TARGETS
-from studies.identification.trade_off import CONTACTS, command_of, figure
+from studies.identification.targets import HALF, TARGETS, contributions
+from studies.identification.trade_off import CONTACTS, Point, command_of, figure
 from studies.judgement import within, within_share
 from tests.verification.comparison import Comparison
 
@@ -119,10 +121,22 @@ def of_the_front(found: Evidence) -> Sequence[str]:
             best = min(reached, key=lambda p: p.others)
             words += (
                 f", with {best.rise:+.0f} % it is {best.others:.3g} "
-                f"({best.inputs.cleanliness.value} grease)"
+                f"({best.inputs.cleanliness.value} grease), most of it {_worst(best)}"
             )
         said.append(words + ".")
     return (*said, "1 is one result off by one tolerance. " + command_of() + ".")
+
+
+def _worst(point: Point) -> str:
+    """Return the result, other than half the stiffness, that a point misses most."""
+    adds = contributions(np.array(point.values))
+    adds[HALF] = 0.0
+    i = int(adds.argmax())
+    target = TARGETS[i]
+    return (
+        f"from {target.name}: {significant(point.values[i])} {target.unit}, in the "
+        f"paper {target.paper}"
+    )
 
 
 def tables(found: Evidence) -> Sequence[Table]:

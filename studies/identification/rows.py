@@ -200,6 +200,6 @@ def markdown(rows: Rows, omitted: Sequence[str] = ()) -> str:
     """Return a table in Markdown, without the columns named."""
     kept = [i for i, name in enumerate(rows.columns) if name not in omitted]
     head = [rows.columns[i] for i in kept]
-    lines = [head, ["---", *["---:"] * (len(kept) - 1)]]
+    lines = [head, ["---"] * len(kept)]
     lines += [[row[i] for i in kept] for row in rows.cells]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)

