@@ -26,10 +26,12 @@ MAY_IMPORT = {
     "case": LEAVES | {"driveline", "bearing", "engine"},
     "design": LEAVES | {"rollout", "driveline", "bearing", "case"},
     "report": {"errors", "case", "design"},
-    "__main__": {"errors", "case", "design", "report"},
+    "commands": LEAVES | {"driveline", "bearing", "case", "design", "report"},
+    "__main__": {"commands"},
 }
 ONLY_IN = {
-    "rich": {"report", "__main__"},
+    "rich": {"report", "commands"},
+    "typer": {"commands"},
     "yaml": {"case"},
     "pydantic": {"case"},
     "pydantic_core": {"case"},

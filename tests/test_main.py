@@ -120,23 +120,39 @@ def test_a_defect_of_ours_keeps_its_traceback(flow):
 
 
 def test_version(capsys):
-    with pytest.raises(SystemExit) as ended:
-        main(["--version"])
-    assert ended.value.code == 0
+    assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"coupling_design {__version__}\n"
 
 
 def test_help_names_the_exit_codes(capsys):
-    with pytest.raises(SystemExit):
-        main(["--help"])
+    assert main(["--help"]) == 0
     assert "1 no design meets the limits" in capsys.readouterr().out
 
 
 def test_no_case_is_a_usage_error(capsys):
-    with pytest.raises(SystemExit) as ended:
-        main([])
-    assert ended.value.code == 2
+    assert main([]) == 2
     assert "CASE" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("arguments", [["--wrong"], [str(CASE), "another"]])
+def test_usage_errors(capsys, arguments):
+    assert main(arguments) == 2
+    assert "Usage" in capsys.readouterr().err
+
+
+def test_a_misspelt_command_is_named(capsys):
+    assert main(["chek", str(CASE)]) == 2
+    assert "Did you mean 'check'?" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("small_report")
+@pytest.mark.parametrize(
+    "arguments",
+    [["design", str(CASE)], ["--output", "x", str(CASE)], [str(CASE), "--output=x"]],
+)
+def test_the_design_may_be_named_or_not(flow, outcomes, arguments):
+    flow(outcomes[0])
+    assert main(arguments) == 0
 
 
 def test_starting_is_quick():

@@ -190,7 +190,8 @@ class Case:
     `driveline` holds the present coupling and connection; `present_coupling_type`
     and `present_connection` name what they are among the choices.
     `present_driving_inertia` [kg m^2] is what the present coupling's driving half has
-    of the engine's inertia, None if not stated.
+    of the engine's inertia, None if not stated. `overrides` are the values, each
+    `path=value`, that replaced those of the file `sha256` belongs to.
     """
 
     name: str
@@ -214,6 +215,7 @@ class Case:
     catalogues: tuple[CatalogueFile, ...] = ()
     choose: Choice = Choice.OPTIMUM
     present_driving_inertia: float | None = None
+    overrides: tuple[str, ...] = ()
 
     @property
     def assumptions(self) -> tuple[SourcedValue, ...]:

@@ -17,7 +17,8 @@ class Document:
     """A case file as read: plain data, where each part stands, and its text.
 
     `lines` has the line of each path's key (of a list's entry: its first line),
-    `texts` each scalar as written.
+    `texts` each scalar as written, `sha256` is the file's. `overrides` has, by path,
+    each `path=value` that replaced what the file says.
     """
 
     file: str
@@ -25,6 +26,13 @@ class Document:
     lines: dict[Path, int] = field(default_factory=dict)
     texts: dict[Path, str] = field(default_factory=dict)
     problems: tuple[Problem, ...] = ()
+    sha256: str = ""
+    overrides: dict[Path, str] = field(default_factory=dict)
+
+    def override(self, path: Path) -> str | None:
+        """Return the `path=value` that a value comes from; None: from the file."""
+        inside = (path[:end] for end in range(len(path), 0, -1))
+        return next((self.overrides[p] for p in inside if p in self.overrides), None)
 
     def line(self, path: Path) -> int:
         """Return the line of a value, or of the nearest thing that would hold it."""

@@ -7,7 +7,8 @@ import re
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pydantic import GetCoreSchemaHandler
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from coupling_design.case.units import UnitError, describe, from_si, to_si
@@ -15,6 +16,9 @@ from coupling_design.case.units import UnitError, describe, from_si, to_si
 _WRITTEN = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?P<unit>.*)", re.DOTALL
 )
+# The same for JSON Schema: a number, and with a unit.
+_PATTERN = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
+_UNIT = r"\s*[A-Za-zµμ°%1]"
 
 
 class QuantityError(ValueError):
@@ -127,6 +131,19 @@ class Kind:
     ) -> CoreSchema:
         """Let pydantic read a field annotated with this kind by `parse`."""
         return core_schema.no_info_plain_validator_function(self._validate)
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        """Describe to an editor how this kind is written; limits stay with `parse`."""
+        text = {"type": "string", "pattern": _PATTERN + (_UNIT if self.unit else "")}
+        described = {
+            "description": f"{self.name}, such as {self.example}",
+            "examples": self.example.split(" or "),
+        }
+        if self.unit:
+            return {**text, **described}
+        return {"anyOf": [{"type": "number"}, text], **described}
 
     def _validate(self, written: Any) -> float:
         try:

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import Any, Generic, TypeVar
 
-from pydantic import BaseModel, ConfigDict, model_serializer, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    GetJsonSchemaHandler,
+    model_serializer,
+    model_validator,
+)
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
 
 from coupling_design.case.case import Source
 
@@ -31,6 +39,17 @@ class Stated(Section, Generic[Value]):
     @classmethod
     def _wrap_bare(cls, written: Any) -> Any:
         return written if isinstance(written, dict) else {"value": written}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        """Describe to an editor both ways to state a value."""
+        mapping = handler.resolve_ref_schema(handler(schema))
+        value = mapping["properties"]["value"]
+        both = {"anyOf": [value, {**mapping, "title": "value with its source"}]}
+        about = value.get("description")
+        return {"description": about, **both} if about else both
 
     @model_serializer
     def _bare(self) -> Value:

@@ -43,19 +43,23 @@ def check_form(
 
 
 def sentences(problems: Iterable[Problem], document: Document) -> list[str]:
-    """Return problems as the user reads them, in the order of the file."""
-    located = {
-        (
-            problem.line or document.line(problem.path),
-            f"{dotted(problem.path)}: " if problem.path else "",
-            problem.sentence,
-        )
-        for problem in problems
-    }
-    return [
-        f"{document.file}:{line}: {path}{sentence}"
-        for line, path, sentence in sorted(located)
-    ]
+    """Return problems as the user reads them, in the order of the file.
+
+    Those of values from the command line come first.
+    """
+    located = {(*_place(problem, document), problem.sentence) for problem in problems}
+    return [f"{place}: {sentence}" for _, place, sentence in sorted(located)]
+
+
+def _place(problem: Problem, document: Document) -> tuple[int, str]:
+    name = dotted(problem.path)
+    overriding = document.override(problem.path)
+    if overriding is not None:
+        place = f"--set {overriding}"
+        return 0, place if overriding.startswith(f"{name}=") else f"{place}: {name}"
+    line = problem.line or document.line(problem.path)
+    place = f"{document.file}:{line}"
+    return line, f"{place}: {name}" if name else place
 
 
 def _empty_values(data: Any, path: Path) -> Iterator[Problem]:

@@ -57,7 +57,12 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
     return {
         "schema_version": SCHEMA_VERSION,
         "units": UNITS,
-        "case": {"name": case.name, "file": case.file, "sha256": case.sha256},
+        "case": {
+            "name": case.name,
+            "file": case.file,
+            "sha256": case.sha256,
+            "overrides": list(case.overrides),
+        },
         "software": _software(),
         "reading": case.reading.value,
         "baseline": _baseline(outcome.baseline),

@@ -44,6 +44,8 @@ def identity(case: Case) -> Iterable[tuple[str, str]]:
     """Yield which file and which program made the report."""
     yield "case file", case.file
     yield "sha256", case.sha256
+    if case.overrides:
+        yield "overrides", "\n".join(f"--set {each}" for each in case.overrides)
     yield "program", f"coupling_design {__version__}"
 
 

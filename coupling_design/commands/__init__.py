@@ -1,0 +1,1 @@
+"""What can one ask of it? One module per command of the command line."""

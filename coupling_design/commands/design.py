@@ -1,0 +1,49 @@
+"""`design CASE`: the main job."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from coupling_design.commands.options import CaseFile, Overrides
+
+EXAMPLES = (
+    "design cases/16v280.yaml",
+    "cases/16v280.yaml --output elsewhere",
+    "cases/16v280.yaml --set connection.gap=0.1mm --set reading=combined_load",
+)
+_NO_DESIGN = 1
+
+
+def run(
+    case: CaseFile,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            show_default=False,
+            help="where the results go (reports/<name of the case file>)",
+        ),
+    ] = None,
+    overrides: Overrides = None,
+) -> int:
+    """Design the coupling of a machine: five steps, a report and its files."""
+    from coupling_design.case import load_case
+    from coupling_design.design.flow import run_design
+    from coupling_design.report.console import make_report_console
+    from coupling_design.report.files import prepare_directory, write_files
+    from coupling_design.report.outcome import render_outcome
+    from coupling_design.report.progress import show_progress
+
+    directory = output or Path("reports", Path(case).stem)
+    loaded = load_case(case, overrides or ())
+    prepare_directory(directory)
+    with show_progress() as progress:
+        outcome = run_design(loaded, progress)
+    console = make_report_console()
+    console.print(render_outcome(outcome))
+    written = write_files(outcome, directory)
+    console.print(*(f"Written: {path}" for path in written), sep="\n", soft_wrap=True)
+    return _NO_DESIGN if outcome.chosen is None else 0

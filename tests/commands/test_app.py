@@ -1,0 +1,34 @@
+import shlex
+
+import pytest
+
+from coupling_design.commands.app import COMMANDS, PROGRAM
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_help_has_examples(run, name):
+    code, out, _ = run(name, "--help")
+    assert code == 0
+    assert "Examples:" in out
+    assert COMMANDS[name].EXAMPLES
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_examples_are_of_their_command(name):
+    for example in COMMANDS[name].EXAMPLES:
+        assert name == "design" or shlex.split(example)[0] == name
+
+
+def test_the_help_lists_every_command(run):
+    code, out, _ = run("--help")
+    assert code == 0
+    assert [name for name in COMMANDS if f" {name} " not in out] == []
+    assert f"{PROGRAM} CASE is short for" in out
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_shell_completion(run, monkeypatch, shell):
+    monkeypatch.setenv("_TYPER_COMPLETE_TESTING", "1")
+    code, out, _ = run("--show-completion", shell)
+    assert code == 0
+    assert PROGRAM in out

@@ -1,0 +1,54 @@
+def line_of(text, start):
+    return next(line for line in text.splitlines() if line.startswith(start)).split()
+
+
+def test_each_value_in_si_with_its_line(run, quick):
+    code, out, err = run("check", quick)
+    assert (code, err) == (0, "")
+    gap = line_of(out, "  gap ")
+    assert gap == ["gap", "0.10", "mm", "0.0001", "m", "19"]
+    assert line_of(out, "  reliability")[-2:] == ["-", "67"]
+    assert "no problem found" in out
+
+
+def test_what_is_not_given_is_listed(run, quick):
+    out = run("check", quick)[1]
+    listed = out[out.index("Not given") :]
+    assert line_of(listed, "  coupling_types[0].description")[1:] == [
+        "default:",
+        "empty",
+    ]
+    assert line_of(listed, "  duty.rare_torque")[1:] == [
+        "nothing",
+        "in",
+        "its",
+        "place",
+    ]
+
+
+def test_source_and_note(run):
+    code, out, _ = run("new", "case.yaml")
+    assert code == 0
+    code, out, _ = run("check", "case.yaml", "--notes")
+    assert code == 0
+    assert "derived" in line_of(out, "  duration")
+    assert "to standstill with this friction" in out
+
+
+def test_a_value_from_the_command_line(run, quick):
+    code, out, _ = run("check", quick, "--set", "connection.gap=0.15mm")
+    assert code == 0
+    assert line_of(out, "  gap ")[-3:] == ["0.00015", "m", "--set"]
+    assert "driveline.connection.gap=0.15mm" in out
+
+
+def test_problems_name_the_command_line(run, quick):
+    code, out, err = run("check", quick, "--set", "connection.gap=3 kg")
+    assert (code, out) == (2, "")
+    assert "--set driveline.connection.gap=3 kg: found '3 kg', that is a mass" in err
+
+
+def test_a_step_that_is_too_large(run, quick):
+    code, _, err = run("check", quick, "--set", "time_step=0.01 s")
+    assert code == 2
+    assert "shutdown.time_step" in err
