@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
 from coupling_design.case.build_coupling import build_damping_law
+from coupling_design.case.build_engine import excitation_of
 from coupling_design.case.case import (
     Case,
     ConnectionKind,
@@ -14,6 +15,7 @@ from coupling_design.case.case import (
     SourcedValue,
 )
 from coupling_design.case.catalogue import Catalogues, offered
+from coupling_design.case.engine_schema import EngineExcitation
 from coupling_design.case.schema import (
     CaseSection,
     ConnectionChoices,
@@ -49,6 +51,7 @@ def build_case(
     damping_law = next(
         entry.damping_law for entry in coupling_types if entry.name == present_type
     )
+    excitation, derived = _excitation(section.driveline, file)
     joint = _joint(section.driveline.connection)
     first, second = (Bearing(**bearing.model_dump()) for bearing in section.bearings)
     return Case(
@@ -57,7 +60,7 @@ def build_case(
         file=file,
         sha256=sha256,
         reading=section.reading.value,
-        driveline=_driveline(section.driveline, damping_law, joint),
+        driveline=_driveline(section.driveline, damping_law, joint, excitation),
         joint=joint,
         present_coupling_type=present_type,
         present_connection=section.driveline.connection.kind.value,
@@ -69,7 +72,7 @@ def build_case(
         duty=_duty(section.duty),
         coupling_types=coupling_types,
         connections=connections,
-        provenance=provenance,
+        provenance=(*provenance, *derived),
         catalogues=catalogues.files,
         choose=section.design_space.choose,
         present_driving_inertia=_value(section.driveline.coupling.driving_inertia),
@@ -95,7 +98,10 @@ def _lubrication(section: LubricationSection) -> Lubrication:
 
 
 def _driveline(
-    section: DrivelineSection, damping_law: DampingLaw, joint: Joint
+    section: DrivelineSection,
+    damping_law: DampingLaw,
+    joint: Joint,
+    excitation: tuple[ExcitationOrder, ...],
 ) -> Driveline:
     return Driveline(
         engine_inertia=section.engine_inertia.value,
@@ -106,11 +112,21 @@ def _driveline(
             damping_law=damping_law,
         ),
         connection=_present_connection(section.connection, joint),
-        excitation=tuple(
-            ExcitationOrder(**harmonic.model_dump()) for harmonic in section.excitation
-        ),
+        excitation=excitation,
         engine_resistance=Resistance(**section.engine_resistance.model_dump()),
         generator_resistance=Resistance(**section.generator_resistance.model_dump()),
+    )
+
+
+def _excitation(
+    section: DrivelineSection, file: str
+) -> tuple[tuple[ExcitationOrder, ...], tuple[SourcedValue, ...]]:
+    """Return the orders as written or worked out, and what was derived for them."""
+    if isinstance(section.excitation, EngineExcitation):
+        return excitation_of(section.excitation.engine, file)
+    return (
+        tuple(ExcitationOrder(**order.model_dump()) for order in section.excitation),
+        (),
     )
 
 

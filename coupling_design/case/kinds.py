@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 from coupling_design.case.quantity import Kind
@@ -18,10 +19,21 @@ ANGULAR_SPEED = Kind("an angular speed", "rad/s", "1000 rpm or 290 rad/s")
 DAMPING = Kind("a torsional damping", "N*m*s/rad", "100 N*m*s/rad")
 FORCE = Kind("a force", "N", "25.4 kN")
 INERTIA = Kind("a moment of inertia", "kg*m^2", "177.65 kg*m^2")
+COMPRESSION_RATIO = Kind("a plain number", "", "12.5", lower=1.1, upper=100.0)
+EXPONENT = Kind("a plain number", "", "1.32", lower=1.0, upper=1.67)
 LENGTH = Kind("a length", "m", "0.28 mm")
+MASS = Kind("a mass", "kg", "60 kg")
 NUMBER = Kind("a plain number", "", "4.0")
 PER_LENGTH = Kind("a number per length", "1/m", "1000 1/mm")
 POWER = Kind("a power", "W", "1.2 kW")
+PRESSURE = Kind(
+    "a pressure",
+    "Pa",
+    "1 bar",
+    lower=1.0,
+    upper=1e9,
+    remark="Pressures are absolute",
+)
 PROBABILITY = Kind("a probability", "", "99 %")
 STIFFNESS = Kind("a torsional stiffness", "N*m/rad", "0.347 MN*m/rad")
 STRESS = Kind("a stress", "Pa", "800 MPa")
@@ -32,15 +44,25 @@ VISCOSITY = Kind("a kinematic viscosity", "m^2/s", "39.6 mm^2/s")
 
 Angle = Annotated[float, ANGLE]
 AngularSpeed = Annotated[float, ANGULAR_SPEED.positive()]
+CompressionRatio = Annotated[float, COMPRESSION_RATIO]
+Count = Annotated[float, NUMBER.between(1.0, 64.0)]
+CycleAngle = Annotated[float, ANGLE.between(0.0, 4 * math.pi)]
 Damping = Annotated[float, DAMPING.non_negative()]
+EngineLength = Annotated[float, LENGTH.between(1e-3, 10.0)]
+EngineSpeed = Annotated[float, ANGULAR_SPEED.between(0.0, 5e3)]
+Exponent = Annotated[float, EXPONENT]
 Force = Annotated[float, FORCE.positive()]
 Gap = Annotated[float, GAP]
+HighestOrder = Annotated[float, NUMBER.between(0.5, 100.0)]
 Inertia = Annotated[float, INERTIA.positive()]
 Length = Annotated[float, LENGTH.positive()]
+Mass = Annotated[float, MASS.between(0.0, 1e5)]
 Number = Annotated[float, NUMBER.positive()]
 PerLength = Annotated[float, PER_LENGTH.positive()]
 Power = Annotated[float, POWER.positive()]
+Pressure = Annotated[float, PRESSURE]
 Reliability = Annotated[float, PROBABILITY.between(0.90, 1.0)]
+Share = Annotated[float, NUMBER.between(0.0, 1.0)]
 Stiffness = Annotated[float, STIFFNESS.positive()]
 Stress = Annotated[float, STRESS.positive()]
 StressCoefficient = Annotated[float, STRESS_COEFFICIENT.positive()]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any, Literal, get_args, get_origin
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, Tag, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
@@ -111,6 +111,10 @@ def _place(model: type[BaseModel], location: Path) -> _Place:
     section: type[BaseModel] | None = None
     expected: Any = model
     for element in location:
+        forms = _forms(expected)
+        if element in forms:
+            expected = forms[str(element)]
+            continue
         choices = _models(expected)
         if len(choices) > 1:  # a damping law, chosen by its name
             expected = next((m for m in choices if element in _law(m)), None)
@@ -144,6 +148,16 @@ def _models(expected: Any) -> list[type[BaseModel]]:
     ]
 
 
+def _forms(expected: Any) -> dict[str, Any]:
+    """Return what a value may be by the tag of each: a list, or a mapping."""
+    return {
+        item.tag: get_args(form)[0]
+        for form in get_args(expected)
+        for item in get_args(form)
+        if isinstance(item, Tag)
+    }
+
+
 def _law(model: type[BaseModel]) -> tuple[str, ...]:
     field = model.model_fields.get("law")
     return get_args(field.annotation) if field else ()
@@ -170,6 +184,8 @@ def _expectation(expected: Any) -> str:
     """Return what a field wants, in words."""
     if isinstance(expected, Kind):
         return f"{expected.name}, such as {expected.example}"
+    if forms := _forms(expected):
+        return ", or ".join(map(_expectation, forms.values()))
     models = _models(expected)
     if len(models) == 1 and issubclass(models[0], Stated):
         return _expectation(_wanted(models[0].model_fields["value"]))

@@ -19,8 +19,8 @@ def list_provenance(section: BaseModel, document: Document) -> tuple[SourcedValu
     return tuple(
         SourcedValue(
             path=dotted(path),
-            text=document.text(path),
-            value=stated.value,
+            text=_text(document, path),
+            value=_value(stated),
             unit=_unit(stated),
             source=stated.source,
             note=stated.note,
@@ -38,6 +38,23 @@ def _stated(part: Any, path: Path) -> Iterator[tuple[Path, Stated[Any]]]:
     elif isinstance(part, tuple):
         for index, entry in enumerate(part):
             yield from _stated(entry, (*path, index))
+
+
+def _text(document: Document, path: Path) -> str:
+    """Return a value as written, a list with commas."""
+    written = document.raw(path)
+    entries = written.get("value") if isinstance(written, dict) else written
+    if isinstance(entries, list):
+        return ", ".join(map(str, entries))
+    return document.text(path)
+
+
+def _value(stated: Stated[Any]) -> float | str:
+    """Return a value; a list, such as a firing order, as text in SI."""
+    if isinstance(stated.value, tuple):
+        return ", ".join(map(str, stated.value))
+    value: float | str = stated.value
+    return value
 
 
 def _unit(stated: Stated[Any]) -> str:

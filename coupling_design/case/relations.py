@@ -14,6 +14,7 @@ from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues
 from coupling_design.case.catalogue_relations import check_catalogues
 from coupling_design.case.choices import GAPPED, check_choices
 from coupling_design.case.document import Document
+from coupling_design.case.engine_relations import check_engine
 from coupling_design.case.kinds import (
     AngularSpeed,
     Gap,
@@ -40,6 +41,7 @@ def check_relations(
     yield from _two_bearings(values)
     yield from _shutdown(values)
     yield from _reliability(values)
+    yield from check_engine(values, document.file)
     series = [series.name for series in catalogues.types]
     yield from check_choices(values, series if catalogues.is_sound else None)
     yield from check_catalogues(values, catalogues)

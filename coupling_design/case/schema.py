@@ -6,12 +6,13 @@ values is in `relations`.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import BaseModel, Discriminator, Field, Tag
 
 from coupling_design.bearing.parameters import BearingType, Cleanliness
 from coupling_design.case.case import Choice, ConnectionKind, LoadLimitReading, Plan
+from coupling_design.case.engine_schema import EngineExcitation
 from coupling_design.case.kinds import (
     Angle,
     AngularSpeed,
@@ -64,6 +65,17 @@ class Harmonic(Section):
     phase: Stated[Angle]
 
 
+def _form_of_excitation(written: Any) -> str:
+    return "engine" if isinstance(written, dict | BaseModel) else "orders"
+
+
+Orders = Annotated[tuple[Harmonic, ...], Field(min_length=1)]
+Excitation = Annotated[
+    Annotated[Orders, Tag("orders")] | Annotated[EngineExcitation, Tag("engine")],
+    Discriminator(_form_of_excitation),
+]
+
+
 class ShaftResistance(Section):
     """What brakes one shaft."""
 
@@ -80,7 +92,7 @@ class DrivelineSection(Section):
     generator_inertia: Stated[Inertia]
     coupling: PresentCoupling
     connection: PresentConnection
-    excitation: Annotated[tuple[Harmonic, ...], Field(min_length=1)]
+    excitation: Excitation
     engine_resistance: ShaftResistance
     generator_resistance: ShaftResistance
 

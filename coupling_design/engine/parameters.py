@@ -86,7 +86,8 @@ class IndicatedCombustion:
 
     `start` and `duration` are crank angles [rad], the start from top dead centre and
     negative before it; `shape` is Wiebe's exponent m [-]. The defaults are a choice
-    for medium-speed diesel engines; the low orders hardly depend on them.
+    for medium-speed diesel engines. Orders up to 2 hardly depend on them, order 4 by
+    a sixth, order 8 by a factor of 2 and more: for those give a pressure trace.
     """
 
     mean_pressure: float

@@ -81,6 +81,19 @@ def test_one_of_eight_cancelling_cylinders_less_leaves_its_own(vee):
     assert found[0.5] == pytest.approx(abs(difference), rel=1e-9)
 
 
+@pytest.mark.parametrize("start", [-12.0, 2.0])
+@pytest.mark.parametrize("duration", [50.0, 90.0])
+def test_low_orders_hardly_depend_on_how_the_fuel_burns(vee, start, duration):
+    combustion = IndicatedCombustion(18e5, math.radians(start), math.radians(duration))
+    usual = vee(50.0, **FIRED, misfiring=(2,))
+    other = dataclasses.replace(usual, combustion=combustion)
+    found, expected = (amplitudes(list_orders(e, 8.0)) for e in (other, usual))
+    assert [found[i] for i in (0.5, 1.0, 1.5, 2.0)] == pytest.approx(
+        [expected[i] for i in (0.5, 1.0, 1.5, 2.0)], rel=0.05
+    )
+    assert found[4.0] == pytest.approx(expected[4.0], rel=0.2)
+
+
 @pytest.mark.parametrize("cycle", Cycle)
 def test_parseval(vee, cycle):
     # Mean square less squared mean is half the sum of squared amplitudes.

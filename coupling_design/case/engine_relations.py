@@ -1,0 +1,144 @@
+"""What must hold between the values of an engine in a case file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pydantic import ValidationError
+
+from coupling_design.case.build_engine import (
+    THRESHOLD,
+    build_arrangement,
+    build_engine,
+    kept_orders,
+)
+from coupling_design.case.engine_schema import EngineMode, EngineSection
+from coupling_design.case.pressure_file import load_trace
+from coupling_design.case.problem import Path, Problem, suggestion
+from coupling_design.case.values import Values
+from coupling_design.engine import Engine, firing_angles, list_orders
+from coupling_design.engine.parameters import IndicatedCombustion
+from coupling_design.engine.pressure import pressure_rise
+from coupling_design.errors import CaseError
+
+_ENGINE: Path = ("driveline", "excitation", "engine")
+_EVERY_ORDER = 1e4
+_SHORTEST_ROD = 0.51  # of the stroke
+
+
+def check_engine(values: Values, case_file: str) -> Iterator[Problem]:
+    """Yield what is wrong between the values of an engine whose form is right."""
+    try:
+        section = EngineSection.model_validate(values.raw(*_ENGINE))
+    except ValidationError:
+        return
+    problems = [
+        *_rod(section, values),
+        *_fuel(section, case_file),
+        *_firing(section, values),
+    ]
+    yield from problems
+    if not problems:
+        engine = build_engine(section, case_file)
+        yield from _pressure(engine, values)
+        yield from _orders(section, engine, values)
+
+
+def _rod(section: EngineSection, values: Values) -> Iterator[Problem]:
+    path = (*_ENGINE, "rod_length")
+    if section.rod_length.value < _SHORTEST_ROD * section.stroke.value:
+        yield Problem(
+            path,
+            f"found '{values.text(*path)}', allowed {_SHORTEST_ROD:g} of the stroke "
+            f"'{values.text(*_ENGINE, 'stroke')}' or more, or the crank cannot turn; "
+            "write the length between the eyes",
+        )
+
+
+def _fuel(section: EngineSection, case_file: str) -> Iterator[Problem]:
+    """Yield what keeps a fired engine from having one pressure over its cycle."""
+    trace, pressure = section.pressure_trace, section.indicated_mean_pressure
+    if section.mode.value is EngineMode.MOTORED:
+        return
+    if (trace is None) == (pressure is None):
+        found = "neither" if trace is None else "both"
+        yield Problem(
+            (*_ENGINE, "mode"),
+            f"found 'fired' with {found} of indicated_mean_pressure and "
+            "pressure_trace; give one of them, or write motored for fuel off",
+        )
+    elif trace is not None:
+        try:
+            load_trace(trace.value, case_file, section.cycle.value)
+        except CaseError as error:
+            for sentence in error.problems:
+                yield Problem((*_ENGINE, "pressure_trace"), sentence)
+
+
+def _firing(section: EngineSection, values: Values) -> Iterator[Problem]:
+    path = (*_ENGINE, "cylinders")
+    if section.cylinders.value % 1:
+        yield Problem(
+            path, f"found '{values.text(*path)}', allowed are whole numbers, such as 16"
+        )
+        return
+    if section.firing_intervals and section.crank_angles:
+        yield Problem(
+            (*_ENGINE, "crank_angles"),
+            "found crank_angles and firing_intervals, which say the same; "
+            "delete one of them",
+        )
+        return
+    arrangement = build_arrangement(section)
+    try:
+        firing_angles(arrangement, section.cycle.value)
+    except CaseError as error:
+        key = "firing_order"
+        key = "firing_intervals" if section.firing_intervals else key
+        key = "crank_angles" if section.crank_angles else key
+        yield Problem((*_ENGINE, key), str(error))
+    missing = section.misfiring_cylinders
+    names = arrangement.names
+    for name in missing.value if missing else ():
+        if name not in names:
+            yield Problem(
+                (*_ENGINE, "misfiring_cylinders"),
+                f"found '{name}'; {suggestion(name, names)}allowed: {', '.join(names)}",
+            )
+
+
+def _pressure(engine: Engine, values: Values) -> Iterator[Problem]:
+    """Yield a mean pressure that would take combustion below nothing."""
+    path = (*_ENGINE, "indicated_mean_pressure")
+    combustion = engine.combustion
+    if isinstance(combustion, IndicatedCombustion):
+        rise = pressure_rise(engine, combustion)
+        if not 0 < rise < float("inf"):
+            yield Problem(
+                path,
+                f"found '{values.text(*path)}', which this combustion cannot reach; "
+                "it must begin early enough in the expansion to do work",
+            )
+
+
+def _orders(
+    section: EngineSection, engine: Engine, values: Values
+) -> Iterator[Problem]:
+    """Yield a problem if none is kept: the driveline would not be excited."""
+    if kept_orders(section, engine):
+        return
+    path = (*_ENGINE, "highest_order")
+    share = section.threshold.value if section.threshold else THRESHOLD
+    rows = (
+        row.order for row in list_orders(engine, _EVERY_ORDER, share) if row.survives
+    )
+    first = next(rows, None)
+    remedy = (
+        f"the first that does is {first:g}: write that or more"
+        if first is not None
+        else "lower the threshold"
+    )
+    yield Problem(
+        path,
+        f"found '{values.text(*path)}', but no order survives up to there; {remedy}",
+    )
