@@ -34,6 +34,8 @@ class CatalogueChoice:
     trials : the sizes of that plan
     selected : the one that keeps every limit with the least damage, None if none does
     price : its damage over the ideal's, less 1 [-]; negative if it does less
+    price_of_stiffness : what of that its stiffness alone makes, with the ideal's
+        damping and inertias [-]
     is_chosen : whether it is the chosen design
     findings : sentences on how the sizes were tried
     """
@@ -46,5 +48,6 @@ class CatalogueChoice:
     trials: tuple[SizeTrial, ...]
     selected: SizeTrial | None
     price: float | None
+    price_of_stiffness: float | None
     is_chosen: bool
     findings: tuple[str, ...]

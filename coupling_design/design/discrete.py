@@ -41,6 +41,7 @@ def choose_size(state: FlowState) -> CatalogueChoice | None:
         trials=trials,
         selected=selected,
         price=_damage(selected) / ideal.damage - 1 if selected else None,
+        price_of_stiffness=_price_of_stiffness(state, solution, selected),
         is_chosen=selected is not None and case.choose is Choice.CATALOGUE,
         findings=tuple(_findings(case, trials)),
     )
@@ -110,6 +111,19 @@ def _least_damage(trials: tuple[SizeTrial, ...]) -> SizeTrial | None:
 
 def _damage(trial: SizeTrial) -> float:
     return trial.performance.damage if trial.performance else float("inf")
+
+
+def _price_of_stiffness(
+    state: FlowState, solution: Solution, selected: SizeTrial | None
+) -> float | None:
+    """Return by how much the damage moves with the size's stiffness and no more."""
+    if selected is None:
+        return None
+    ideal = solution.optimum.performance
+    evaluator = state.bench.evaluator(solution.candidate)
+    stiffness = selected.size.torsional_stiffness
+    alone = evaluator.performance(stiffness, float(ideal.key_gap))
+    return alone.damage / ideal.damage - 1
 
 
 def _findings(case: Case, trials: tuple[SizeTrial, ...]) -> Iterator[str]:

@@ -129,7 +129,8 @@ def evaluate_speed_map(case: Case, chosen: ChosenDesign | None = None) -> SpeedM
 def _chosen_speeds(case: Case, chosen: ChosenDesign) -> CouplingSpeeds:
     kind = next(t for t in case.coupling_types if t.name == chosen.coupling_type)
     option = connection_option(case, ConnectionKind(chosen.connection))
-    candidate = Candidate(kind, option)
+    size = next((each for each in kind.sizes if each.name == chosen.size), None)
+    candidate = Candidate(kind, option, size)
     design = chosen.performance
     driveline = candidate_driveline(
         case, candidate, design.torsional_stiffness, design.key_gap

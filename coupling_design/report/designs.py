@@ -8,7 +8,7 @@ from rich.console import RenderableType
 from rich.panel import Panel
 from rich.text import Text
 
-from coupling_design.case.case import Case
+from coupling_design.case.case import Case, CouplingType
 from coupling_design.design.results import (
     Baseline,
     ChosenDesign,
@@ -17,6 +17,7 @@ from coupling_design.design.results import (
 )
 from coupling_design.report.blocks import facts, panel
 from coupling_design.report.criteria import render_criteria
+from coupling_design.report.discrete import describe_size
 from coupling_design.report.performances import (
     Measured,
     render_design,
@@ -107,6 +108,9 @@ def chosen_facts(case: Case, chosen: ChosenDesign) -> Iterable[tuple[str, str]]:
         if kind.name == chosen.coupling_type:
             low, high = (as_given(k, "N*m/rad") for k in kind.stiffness_range)
             yield "", kind.description
+            if kind.sizes:
+                yield from _size_facts(kind, chosen.size)
+                continue
             yield (
                 "",
                 f"T_KN {as_given(kind.nominal_torque, 'N*m')} kN*m, T_Kmax "
@@ -115,3 +119,14 @@ def chosen_facts(case: Case, chosen: ChosenDesign) -> Iterable[tuple[str, str]]:
                 "MN*m/rad",
             )
     yield "connection", words(chosen.connection)
+
+
+def _size_facts(series: CouplingType, chosen: str | None) -> Iterable[tuple[str, str]]:
+    if chosen is None:
+        low, high = (as_given(k, "N*m/rad") for k in series.stiffness_range)
+        sizes = f"{len(series.sizes)} sizes, C_Tdyn {low} to {high} MN*m/rad"
+        yield "", f"a series of {sizes}; the stiffness chosen lies between them"
+    for size in series.sizes:
+        if size.name == chosen:
+            yield "size", size.name
+            yield "", describe_size(size)

@@ -15,13 +15,16 @@ from coupling_design.design.results import (
     Alternative,
     Baseline,
     ChosenDesign,
-    Criterion,
     DesignMap,
     DesignOutcome,
     LoadReading,
     Optimum,
-    Performance,
     StepResult,
+)
+from coupling_design.report.document_parts import (
+    catalogue_part,
+    criterion_part,
+    performance_part,
 )
 
 SCHEMA_VERSION = 1
@@ -54,6 +57,7 @@ _LIBRARIES = ("casadi", "numpy", "scipy", "pydantic", "pint", "PyYAML", "rich")
 def build_document(outcome: DesignOutcome) -> dict[str, Any]:
     """Return the outcome as plain values."""
     case, chosen, strict = outcome.case, outcome.chosen, outcome.strict_reading
+    choice = outcome.catalogue_choice
     return {
         "schema_version": SCHEMA_VERSION,
         "units": UNITS,
@@ -69,8 +73,9 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
         "steps": [_step(result) for result in outcome.steps],
         "chosen": None if chosen is None else _chosen(chosen),
         "nearest": None if outcome.nearest is None else _optimum(outcome.nearest),
-        "nearest_criteria": [_criterion(c) for c in outcome.nearest_criteria],
+        "nearest_criteria": [criterion_part(c) for c in outcome.nearest_criteria],
         "strict_reading": None if strict is None else _reading(strict),
+        "catalogue_choice": None if choice is None else catalogue_part(choice),
         "assumptions": [asdict(value) for value in outcome.assumptions],
         "engine": outcome.engine,
         "rollouts": outcome.rollouts,
@@ -107,24 +112,11 @@ def _version(library: str) -> str | None:
         return None
 
 
-def _performance(performance: Performance) -> dict[str, Any]:
-    return {
-        "torsional_stiffness": float(performance.torsional_stiffness),
-        "key_gap": float(performance.key_gap),
-        "natural_frequency": float(performance.natural_frequency),
-        "damage": performance.damage,
-        "damage_e6": performance.damage * 1e6,
-        "damages": [float(damage) for damage in performance.damages],
-        "peak_transmission_force": float(performance.peak_transmission_force),
-        "peak_combined_load": [float(f) for f in performance.peak_combined_load],
-    }
-
-
 def _baseline(baseline: Baseline) -> dict[str, Any]:
     return {
         "coupling_type": baseline.coupling_type,
         "connection": baseline.connection,
-        **_performance(baseline.performance),
+        **performance_part(baseline.performance),
         "resonance_speed_rpm": baseline.rundown.resonance_speed * 30 / math.pi,
         "rundown": asdict(baseline.rundown),
         "conditioning": asdict(baseline.conditioning),
@@ -137,24 +129,12 @@ def _chosen(chosen: ChosenDesign) -> dict[str, Any]:
     return {
         "plan": chosen.plan.value,
         "coupling_type": chosen.coupling_type,
+        "size": chosen.size,
         "connection": chosen.connection,
-        **_performance(chosen.performance),
+        **performance_part(chosen.performance),
         "damage_reduction": chosen.damage_reduction,
         "rundown": asdict(chosen.rundown),
         "conditioning": asdict(chosen.conditioning),
-    }
-
-
-def _criterion(criterion: Criterion) -> dict[str, Any]:
-    return {
-        "name": criterion.name,
-        "value": float(criterion.value),
-        "limit": float(criterion.limit),
-        "sense": criterion.sense.value,
-        "unit": criterion.unit,
-        "passes": bool(criterion.passes),
-        "margin": float(criterion.margin),
-        "source": criterion.source,
     }
 
 
@@ -164,7 +144,7 @@ def _step(result: StepResult) -> dict[str, Any]:
         "title": result.title,
         "question": result.question,
         "decision": result.decision.value,
-        "criteria": [_criterion(criterion) for criterion in result.criteria],
+        "criteria": [criterion_part(criterion) for criterion in result.criteria],
         "optimum": None if result.optimum is None else _optimum(result.optimum),
         "alternatives": [_alternative(each) for each in result.alternatives],
         "findings": list(result.findings),
@@ -189,7 +169,7 @@ def _optimum(optimum: Optimum) -> dict[str, Any]:
         "objective": optimum.objective,
         "coupling_type": optimum.coupling_type,
         "connection": optimum.connection,
-        **_performance(optimum.performance),
+        **performance_part(optimum.performance),
         "method": optimum.method,
         "solver_status": optimum.solver_status,
         "starts": optimum.starts,
@@ -207,7 +187,7 @@ def _alternative(alternative: Alternative) -> dict[str, Any]:
     return {
         "name": alternative.name,
         "passes": bool(alternative.passes),
-        "performance": None if performance is None else _performance(performance),
+        "performance": None if performance is None else performance_part(performance),
         "remark": alternative.remark,
     }
 
@@ -217,5 +197,5 @@ def _reading(reading: LoadReading) -> dict[str, Any]:
         "reading": reading.reading,
         "passes": bool(reading.passes),
         "permissible_transmission_force": reading.permissible_transmission_force,
-        "criteria": [_criterion(criterion) for criterion in reading.criteria],
+        "criteria": [criterion_part(criterion) for criterion in reading.criteria],
     }

@@ -15,6 +15,7 @@ from coupling_design.report.designs import (
     render_chosen,
     render_nearest,
 )
+from coupling_design.report.discrete import render_catalogue
 from coupling_design.report.header import render_header
 from coupling_design.report.steps import render_step
 from coupling_design.report.summary import render_strict_reading, render_summary
@@ -36,6 +37,8 @@ def _parts(outcome: DesignOutcome) -> Iterable[RenderableType]:
     else:
         yield render_chosen(outcome, outcome.chosen)
         yield render_summary(outcome, outcome.chosen)
+    if outcome.catalogue_choice is not None:
+        yield render_catalogue(outcome.catalogue_choice)
     if outcome.strict_reading is not None:
         yield render_strict_reading(outcome, outcome.strict_reading)
     yield render_assumptions(outcome.case, outcome.assumptions)

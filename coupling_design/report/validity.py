@@ -10,6 +10,14 @@ from coupling_design.design.results import DesignOutcome, Rundown
 from coupling_design.report.blocks import bullets, panel
 from coupling_design.report.numbers import significant
 
+_UNCHECKED = (
+    "Vibratory torque T_KW and power loss P_KV of the coupling are not checked."
+)
+_CHECKED_FOR_SIZES = (
+    "Vibratory torque T_KW and power loss P_KV are checked for catalogue sizes whose "
+    "sheet gives them, by the linear steady response to this case's orders: a fired "
+    "engine's are larger than those of a run-down without fuel."
+)
 _ALWAYS = (
     "Damage is the Miner sum of one run-down as described by the case: multiply by the "
     "number of stops. Starts, load steps, misfire, short circuit and faulty "
@@ -18,7 +26,6 @@ _ALWAYS = (
     "misalignment, unbalance, bending or gas torque of a fired engine.",
     "Life after ISO 281:2007 with a_ISO for the load of each moment; bearing loads by "
     "statics of the overhung shaft.",
-    "Vibratory torque T_KW and power loss P_KV of the coupling are not checked.",
     "The result is as good as the case file. It replaces neither the coupling maker's "
     "approval nor a torsional vibration calculation of the classification society.",
 )
@@ -35,7 +42,8 @@ def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
     own = list(_of_rundown("Present", outcome.baseline.rundown))
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
-    return (*own, *_ALWAYS)
+    has_sizes = bool(outcome.case.catalogues)
+    return (*own, _CHECKED_FOR_SIZES if has_sizes else _UNCHECKED, *_ALWAYS)
 
 
 def _of_rundown(name: str, rundown: Rundown) -> Iterable[str]:

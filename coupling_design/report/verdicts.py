@@ -7,12 +7,14 @@ from collections.abc import Iterable
 from rich.console import Group
 from rich.text import Text
 
+from coupling_design.design.catalogue_choice import CatalogueChoice
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
     DesignOutcome,
     LoadReading,
 )
+from coupling_design.report.discrete import describe_price
 from coupling_design.report.numbers import significant
 from coupling_design.report.units import display_unit, quantity, value_and_limit
 from coupling_design.report.words import VERDICT_STYLES, words
@@ -56,6 +58,8 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
         yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])
         reduction = describe_reduction(chosen, outcome.baseline.conditioning.digits)
         yield Text(f"Damage per run-down {reduction} against the present coupling.")
+    if outcome.catalogue_choice is not None:
+        yield _size(outcome.catalogue_choice)
     if outcome.strict_reading is not None and chosen is not None:
         strict = outcome.strict_reading
         style = "none" if strict.passes else VERDICT_STYLES["FAIL"]
@@ -68,10 +72,16 @@ def _miss(criterion: Criterion) -> str:
     return f"Nearest came: {criterion.name} {value} {unit}, wanted {limit} {unit}."
 
 
+def _size(choice: CatalogueChoice) -> Text:
+    style = "none" if choice.selected else VERDICT_STYLES["FAIL"]
+    return Text(describe_price(choice), style=style)
+
+
 def _design(chosen: ChosenDesign) -> str:
     stiffness = quantity(chosen.performance.torsional_stiffness, "N*m/rad")
     gap = quantity(chosen.performance.key_gap, "m")
+    name = f"size {chosen.size}" if chosen.size else chosen.coupling_type
     return (
-        f"Take {chosen.coupling_type} ({words(chosen.plan)} plan), {stiffness} "
+        f"Take {name} ({words(chosen.plan)} plan), {stiffness} "
         f"MN*m/rad, {words(chosen.connection)}, gap {gap} mm."
     )
