@@ -14,10 +14,10 @@ from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.recorded import recorded_rundown
 from coupling_design.design.results import Baseline, Performance, Rundown
 from coupling_design.design.search import Workbench
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.history import simulate
 from coupling_design.driveline.modes import largest_stable_step
 from coupling_design.driveline.resonance import largest_swing, rest_time
 
@@ -56,7 +56,7 @@ def rundown(evaluator: Evaluator, performance: Performance) -> Rundown:
     driveline = evaluator.driveline(
         performance.torsional_stiffness, performance.key_gap
     )
-    history = simulate(driveline, case.shutdown)
+    history = recorded_rundown(driveline, case.shutdown)
     swing = largest_swing(history, 2 * math.pi * performance.natural_frequency)
     ratio = unclamped_viscosity_ratio(
         case.lubrication.viscosity, history.generator_speed, case.bearings[0]

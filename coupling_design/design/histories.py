@@ -24,13 +24,14 @@ from coupling_design.bearing.parameters import Bearing
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.problem import DesignSpace, Objective
+from coupling_design.design.recorded import recorded_rundown
 from coupling_design.design.results import DesignMap, Performance
 from coupling_design.design.search import problem
 from coupling_design.design.signals import BearingHistory, RundownHistory
 from coupling_design.design.state import FlowState, Solution, gap_nearest_present
 from coupling_design.design.survey import survey
 from coupling_design.driveline.detrending import collision_force
-from coupling_design.driveline.history import History, simulate
+from coupling_design.driveline.history import History
 from coupling_design.driveline.resonance import largest_swing
 
 # Gaps in the plane of the chosen coupling: one that no step of the flow needed.
@@ -48,7 +49,7 @@ def rundown_history(
     driveline = candidate_driveline(
         case, candidate, performance.torsional_stiffness, performance.key_gap
     )
-    history = simulate(driveline, case.shutdown)
+    history = recorded_rundown(driveline, case.shutdown)
     frequency = 2 * math.pi * float(performance.natural_frequency)
     force = collision_force(history, frequency)
     first, second = (_bearing_history(case, history, k) for k in range(2))
