@@ -10,7 +10,7 @@ PY := .venv/bin/python
 # Python compiles what it imports; compiling everything here would add half to the wait.
 INSTALL := $(PY) -m pip install --quiet --disable-pip-version-check --no-compile --editable
 
-.PHONY: help design test test-slow lint format validation
+.PHONY: help design test test-slow lint format validation benchmark
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 
@@ -20,6 +20,7 @@ help:
 	@echo "make test              run the quick tests"
 	@echo "make test-slow         run the full design flows"
 	@echo "make validation        redo the paper's studies and write VALIDATION.md"
+	@echo "make benchmark         measure the speed and write PERFORMANCE.md"
 	@echo "make lint              check style, types and project file"
 	@echo "make format            put the code into the house style"
 
@@ -35,6 +36,9 @@ test-slow: .venv/installed-test
 
 validation: .venv/installed-studies
 	@$(PY) -m studies.validation --case "$(CASE)"
+
+benchmark: .venv/installed-benchmark
+	@$(PY) -m benchmarks --write PERFORMANCE.md
 
 lint: .venv/installed-lint
 	$(PY) -m ruff check
@@ -60,6 +64,11 @@ format: .venv/installed-lint
 	@echo "Installing the program and what its studies need into .venv ..." >&2
 	@$(INSTALL) ".[test,studies]"
 	@touch .venv/installed .venv/installed-test $@
+
+.venv/installed-benchmark: $(PY) pyproject.toml
+	@echo "Installing the program and what its benchmarks need into .venv ..." >&2
+	@$(INSTALL) ".[benchmark]"
+	@touch .venv/installed $@
 
 .venv/installed-lint: $(PY) pyproject.toml
 	@echo "Installing the program and its lint tools into .venv ..." >&2

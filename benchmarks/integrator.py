@@ -26,7 +26,7 @@ def fastest_of_equal_accuracy(subject: Subject) -> tuple[str, float]:
     finer.
     """
     machine, n_steps = subject.machine(), subject.case.shutdown.n_steps
-    batch, fine = subject.at([POINT]), Subject(refinement=16)
+    batch, fine = subject.at([POINT]), subject.refined(16)
     exact = fastest_marcher(fine.step, 16 * n_steps)(batch.starts, batch.points)[6, 0]
     ours = fastest_marcher(subject.step, n_steps)(batch.starts, batch.points)[6, 0]
     allowed = abs(ours / exact - 1)

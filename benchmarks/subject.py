@@ -10,19 +10,21 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 
+from benchmarks.scale import CASE
 from coupling_design.arithmetic import FloatArray
 from coupling_design.bearing.life import fatigue_load_limit, reliability_factor
 from coupling_design.bearing.loads import rotational_loads, static_loads
 from coupling_design.bearing.lubrication import GREASE_CONTAMINATION
+from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case import Case, ConnectionKind, load_case
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.joint import joint_start, joint_step
+from coupling_design.driveline.parameters import KeyedConnection, ProportionalDamping
 from coupling_design.rollout.sensitivities import (
     join_sensitivities,
     with_sensitivities,
 )
 
-CASE = Path(__file__).parent.parent / "cases" / "16v280.yaml"
 SEED = 281
 
 
@@ -38,8 +40,9 @@ class Batch:
 class Subject:
     """The step of the case's keyed driveline, and points to roll it out from."""
 
-    def __init__(self, refinement: int = 1) -> None:
-        self.case: Case = load_case(CASE)
+    def __init__(self, path: Path = CASE, refinement: int = 1) -> None:
+        self._path = path
+        self.case: Case = load_case(path)
         self.time_step = self.case.shutdown.time_step / refinement
         option = next(
             option
@@ -51,6 +54,10 @@ class Subject:
         self._driveline = candidate_driveline(
             self.case, candidate, *ca.vertsplit(self._point)
         )
+
+    def refined(self, refinement: int) -> Subject:
+        """Return the same with a finer time step."""
+        return Subject(self._path, refinement)
 
     @cached_property
     def step(self) -> ca.Function:
@@ -89,7 +96,14 @@ class Subject:
         case, d = self.case, self.case.driveline
         key, law = d.connection, case.coupling_types[0].damping_law
         one, three = d.engine_resistance, d.generator_resistance
-        c_1, c_2, _ = GREASE_CONTAMINATION[case.lubrication.cleanliness]
+        cleanliness = case.lubrication.cleanliness
+        if not (
+            isinstance(key, KeyedConnection)
+            and isinstance(law, ProportionalDamping)
+            and isinstance(cleanliness, Cleanliness)
+        ):
+            raise TypeError("the peers know a key, proportional damping and grease")
+        c_1, c_2, _ = GREASE_CONTAMINATION[cleanliness]
         return np.array(
             [
                 *(d.engine_inertia, d.coupling_inertia, d.generator_inertia),

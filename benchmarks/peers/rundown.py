@@ -1,12 +1,29 @@
 """The keyed run-down in plain Python numbers, for numba and for solve_ivp."""
 
-# ruff: noqa: ANN001, ANN202, ANN201
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+
+from coupling_design.arithmetic import FloatArray
+
+Four = tuple[float, float, float, float]
+Rates = Callable[..., Four]
+Damage = Callable[..., tuple[float, float]]
+March = Callable[[FloatArray, int, float, float, FloatArray], FloatArray]
 
 
-def rates(M, k, gap, q1, q2, q3, w1, w2, w3):
+def rates(
+    M: FloatArray | list[float],
+    k: float,
+    gap: float,
+    q1: float,
+    q2: float,
+    q3: float,
+    w1: float,
+    w2: float,
+    w3: float,
+) -> Four:
     """Return the accelerations and the force on the key [N]; M after machine.h."""
     T1 = M[9] * math.sin(4 * q1 + M[10]) + M[11] * math.sin(8 * q1 + M[12])
     T1 -= M[13] * w1 + M[14] * math.tanh(w1 / M[15])
@@ -18,7 +35,16 @@ def rates(M, k, gap, q1, q2, q3, w1, w2, w3):
     return (T1 - Tc) / M[0], (Tc - F) / M[1], (F - Td) / M[2], F / M[5]
 
 
-def damage(M, force, lever, G, C, C_u, w3, q3):
+def damage(
+    M: FloatArray | list[float],
+    force: float,
+    lever: float,
+    G: float,
+    C: float,
+    C_u: float,
+    w3: float,
+    q3: float,
+) -> tuple[float, float]:
     """Return the rate of one bearing's damage [1/s], and its load [N], ISO 281."""
     n = max(abs(w3) * 30 / math.pi, 1e-3)
     nu_1 = 45000 * n**-0.83 if n < 1000 - 1e-6 else 4500 * n**-0.5
@@ -38,10 +64,12 @@ def damage(M, force, lever, G, C, C_u, w3, q3):
     return abs(w3) / (2 * math.pi) / life, P
 
 
-def march_with(rates, damage):
+def march_with(rates: Rates, damage: Damage) -> March:
     """Return Runge-Kutta 4 with damages and peaks, of compiled or plain functions."""
 
-    def march(M, n_steps, k, gap, y):
+    def march(
+        M: FloatArray, n_steps: int, k: float, gap: float, y: FloatArray
+    ) -> FloatArray:
         h = M[32]
         for _ in range(n_steps):
             q1, q2, q3, w1, w2, w3 = y[0], y[1], y[2], y[3], y[4], y[5]
