@@ -205,3 +205,36 @@ def landscape(quick, candidate):
         return DesignProblem(made_up, space, objective, tuple(constraints))
 
     return program
+
+
+@pytest.fixture(scope="session")
+def with_sizes(tmp_path_factory):
+    """Return the quick case with a catalogue, its text changed."""
+
+    def load(*changes, sizes=()):
+        folder = tmp_path_factory.mktemp("catalogue")
+        text = (HERE / "quick.yaml").read_text(encoding="utf-8")
+        text = "catalogue: [sizes.yaml]\n" + text
+        for before, after in changes:
+            text = text.replace(before, after, 1)
+        (folder / "case.yaml").write_text(text, encoding="utf-8")
+        catalogue = (HERE / "sizes.yaml").read_text(encoding="utf-8")
+        for before, after in sizes:
+            catalogue = catalogue.replace(before, after)
+        (folder / "sizes.yaml").write_text(catalogue, encoding="utf-8")
+        return load_case(folder / "case.yaml")
+
+    return load
+
+
+@pytest.fixture(scope="session")
+def size_of():
+    """Return a size of a case by its name, and its series."""
+
+    def found(case, name):
+        pairs = [
+            (series, size) for series in case.coupling_types for size in series.sizes
+        ]
+        return next((series, size) for series, size in pairs if size.name == name)
+
+    return found

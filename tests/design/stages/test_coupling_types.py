@@ -56,3 +56,48 @@ def test_peak_torque_and_speed_can_fail_every_type(quick, begin, changes):
     state = begin(with_duty(quick, **changes))
     assert state.steps[-1].decision is Decision.FAIL
     assert state.elastic == state.stiff == ()
+
+
+def test_a_series_goes_on_with_the_sizes_that_carry(with_sizes, begin):
+    """D 2 (1.25 kN*m against 1.44) does not: 0.02 to 1.5 MN*m/rad is left."""
+    state = begin(with_sizes())
+    assert names(state.stiff) == ["disc pack", "disc"]
+    series = state.stiff[1]
+    assert [s.name for s in series.coupling_type.sizes] == ["D 9", "D 3", "D 4"]
+    assert series.stiffness == (2e4, 1.5e6)
+    assert series.coupling_type.nominal_torque == 2500.0
+
+
+def test_every_size_is_told_of_with_what_it_fails(with_sizes, begin):
+    step = begin(with_sizes()).steps[-1]
+    told = {a.name: a for a in step.alternatives}
+    assert list(told)[3:] == ["disc", "D 9", "D 3", "D 2", "D 4"]
+    assert told["disc"].remark.endswith("0.02 to 1.5 MN*m/rad, 3 sizes")
+    assert not told["D 2"].passes
+    assert "fails: rated torque x service factor x S_t; peak" in told["D 2"].remark
+    assert told["D 4"].passes
+    assert "least to spare, 62%: peak torque" in told["D 4"].remark
+
+
+def test_the_smallest_size_that_carries_is_shown_against_its_limits(with_sizes, begin):
+    step = begin(with_sizes()).steps[-1]
+    assert {c.name.partition(":")[0] for c in step.criteria[9:]} == {"D 3"}
+
+
+def test_a_series_of_which_no_size_carries(with_sizes, begin):
+    case = with_duty(with_sizes(), peak_torque=1e5)
+    step = begin(case).steps[-1]
+    assert step.decision is Decision.FAIL
+    assert "no size carries" in [a.remark for a in step.alternatives]
+    assert {c.name.partition(":")[0] for c in step.criteria[9:]} == {"D 9"}
+
+
+def test_caveats_say_what_is_not_checked(quick, with_sizes, begin):
+    assert begin(quick).steps[-1].caveats == (
+        "Vibratory torque T_KW and power loss P_KV are not checked here: the case file "
+        "gives neither.",
+    )
+    caveats = " ".join(begin(with_sizes()).steps[-1].caveats)
+    assert "are not checked for types without sizes here" in caveats
+    assert "The catalogue gives no T_KW for D 9, D 2, D 4." in caveats
+    assert "the fired engine's is larger" in caveats
