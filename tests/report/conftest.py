@@ -7,6 +7,12 @@ import pytest
 
 from coupling_design.case import load_case
 from coupling_design.case.case import Plan
+from coupling_design.case.catalogue_sizes import (
+    CatalogueFile,
+    CouplingKind,
+    CouplingSize,
+)
+from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
 from coupling_design.design.results import (
     Alternative,
     Baseline,
@@ -23,6 +29,7 @@ from coupling_design.design.results import (
     Sense,
     StepResult,
 )
+from coupling_design.driveline.parameters import LossFactorDamping
 
 CASE = Path(__file__).parents[2] / "cases" / "16v280.yaml"
 PRESENT = Performance(
@@ -192,3 +199,88 @@ def no_design(outcome):
         nearest=NEAREST,
         nearest_criteria=(TOO_HIGH,),
     )
+
+
+SHEET = CouplingSize(
+    name="DP 80",
+    series="DP",
+    kind=CouplingKind.DIAPHRAGM,
+    nominal_torque=80e3,
+    maximum_torque=140e3,
+    rare_maximum_torque=None,
+    vibratory_torque=25e3,
+    power_loss=1.2e3,
+    maximum_speed=188.49555921538757,
+    torsional_stiffness=235e6,
+    damping_law=LossFactorDamping(0.02),
+    driving_inertia=7.6,
+    driven_inertia=3.4,
+    source="invented",
+    note="an example",
+)
+REAL = replace(
+    STIFF,
+    torsional_stiffness=235e6,
+    natural_frequency=210.7,
+    damages=(2.7e-9, 6.7e-11),
+)
+CHOICE = CatalogueChoice(
+    files=(CatalogueFile("catalogues/my.yaml", "0" * 64, "My [bold] sizes"),),
+    plan="high_stiffness",
+    connection="tight_fit",
+    ideal_type="diaphragm",
+    ideal=STIFF,
+    trials=(
+        SizeTrial(
+            replace(SHEET, name="DP 50"),
+            None,
+            (replace(FREQUENCY, passes=False),),
+            passes=False,
+            remark="fails: natural frequency",
+        ),
+        SizeTrial(SHEET, REAL, (CARRIES, FREQUENCY, FORCE), True, "meets every limit"),
+    ),
+    selected=SizeTrial(
+        SHEET, REAL, (CARRIES, FREQUENCY, FORCE), True, "meets every limit"
+    ),
+    price=2.7e-9 / 2.5621e-9 - 1,
+    price_of_stiffness=-0.00131,
+    is_chosen=False,
+    findings=("Each size was rolled out on its own.",),
+)
+
+
+@pytest.fixture(scope="session")
+def with_catalogue(outcome):
+    """The ideal stays chosen; the best real size stands beside it."""
+    return replace(outcome, catalogue_choice=CHOICE)
+
+
+@pytest.fixture(scope="session")
+def real_size(with_catalogue):
+    """The best real size is the chosen design."""
+    case = with_catalogue.case
+    series = replace(case.coupling_types[2], name="DP").with_sizes((SHEET,))
+    case = replace(
+        case,
+        coupling_types=(*case.coupling_types, series),
+        catalogues=CHOICE.files,
+    )
+    chosen = replace(
+        with_catalogue.chosen, coupling_type="DP", size="DP 80", performance=REAL
+    )
+    choice = replace(CHOICE, is_chosen=True)
+    return replace(with_catalogue, case=case, chosen=chosen, catalogue_choice=choice)
+
+
+@pytest.fixture(scope="session")
+def no_size(with_catalogue):
+    """No real size keeps the limits."""
+    choice = replace(
+        CHOICE,
+        trials=CHOICE.trials[:1],
+        selected=None,
+        price=None,
+        price_of_stiffness=None,
+    )
+    return replace(with_catalogue, catalogue_choice=choice)
