@@ -57,6 +57,9 @@ def _parser() -> argparse.ArgumentParser:
         help="search with contacts that the paper's time step does not resolve too",
     )
     made.add_argument(
+        "--from-scratch", action="store_true", help="forget the named sets"
+    )
+    made.add_argument(
         "--cleanliness",
         nargs="+",
         type=Cleanliness,
@@ -72,7 +75,7 @@ def _minutes(arguments: argparse.Namespace) -> float:
 
 def _search(case: Case, arguments: argparse.Namespace) -> None:
     contact = STIFFEST_CONTACT if arguments.stiff_contact else SMOOTH_CONTACT
-    region = Region(contact, tuple(arguments.cleanliness))
+    region = Region(contact, tuple(arguments.cleanliness), arguments.from_scratch)
     seconds = 60 * _minutes(arguments)
     archive = Archive(case, region)
     share = (1 - _LOCAL_SHARE) * seconds

@@ -22,6 +22,7 @@ from studies.identification.parameters import (
 from studies.identification.rows import (
     Rows,
     all_rows,
+    bands,
     directions,
     fitted,
     markdown,
@@ -72,6 +73,7 @@ def fragment(case: Case, drawing: str) -> str:
     one, other = (directions(n, d) for n, d in found.determined.items())
     parts = [
         _heading(side_by_side(found)),
+        _heading(bands(found)),
         _heading(values_of_sets(found)),
         *(f"* `{s.named.name}`: {s.named.purpose}" for s in found.sets.values()),
         _heading(fitted(found)),

@@ -131,17 +131,26 @@ def side_by_side(found: Evidence) -> Rows:
 
 def bands(found: Evidence) -> Rows:
     """Return mean and range of each result over the start phase."""
-    n = len(found.shipped.band)
+    sets = list(found.sets.values())
+    lines = [
+        (name, target.paper, *(_band(one.band[:, i]) for one in sets))
+        for i, (name, target) in enumerate(
+            zip(names_of_targets(), TARGETS, strict=True)
+        )
+        if np.isfinite(target.spread)
+    ]
+    means = [one.band.mean(axis=0) for one in sets]
+    sums = [
+        (f"{words} of the means [-]", "0", *(_short(float(f(mean))) for mean in means))
+        for words, f in (
+            ("misfit", misfit),
+            ("misfit without half the stiffness", misfit_of_the_others),
+        )
+    ]
     return Rows(
-        f"Mean (least to most) over {n} start phases, one period",
+        f"Mean (least to most) over {len(sets[0].band)} start phases, one period",
         ("result", "paper", *found.sets),
-        tuple(
-            (name, target.paper, *(_band(s.band[:, i]) for s in found.sets.values()))
-            for i, (name, target) in enumerate(
-                zip(names_of_targets(), TARGETS, strict=True)
-            )
-            if np.isfinite(target.spread)
-        ),
+        (*lines, *sums),
     )
 
 

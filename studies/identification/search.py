@@ -49,10 +49,14 @@ _INSIDE = 0.03
 
 @dataclass(frozen=True)
 class Region:
-    """Where to search: the stiffest contact [N m/rad] and the classes allowed."""
+    """Where to search: the stiffest contact [N m/rad] and the classes allowed.
+
+    `from_scratch` says not to start from the named sets.
+    """
 
     contact: float
     classes: tuple[Cleanliness, ...]
+    from_scratch: bool = False
 
     @property
     def refinement(self) -> int:
@@ -85,6 +89,8 @@ class Region:
 
     def known(self) -> list[FloatArray]:
         """Return the named sets of these classes as points of the search."""
+        if self.from_scratch:
+            return []
         sets = [entry.inputs for entry in named_sets().values()]
         return [self.encode(s) for s in sets if s.cleanliness in self.classes]
 

@@ -269,6 +269,15 @@ def test_a_seed_gives_the_same_search_again(short):
     assert np.array_equal(once.points, again.points)
 
 
+def test_from_scratch_forgets_the_sets(short):
+    archive = Archive(short, replace(REGION, from_scratch=True))
+    global_search(archive, misfit, seed=3, seconds=0.0, label="test")
+
+    known = REGION.known()
+    assert known
+    assert not any(np.allclose(p, k) for p in archive.points for k in known)
+
+
 def test_the_local_fit_ends_at_its_time(short):
     assert local_fit(short, shipped(), REGION, 1, seconds=-1.0) == shipped()
 
