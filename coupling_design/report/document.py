@@ -50,6 +50,16 @@ UNITS = {
     "largest_stable_step": "s",
     "margin": "-, distance to the limit over the limit, positive when it is kept",
     "run_time_s": "s",
+    "price": "-, damage of the best catalogue size over the ideal's, less 1",
+    "price_of_stiffness": "-, what of the price its stiffness alone makes",
+    "nominal_torque": "N*m, T_KN",
+    "maximum_torque": "N*m, T_Kmax",
+    "rare_maximum_torque": "N*m, T_Kmax2",
+    "vibratory_torque": "N*m, T_KW at 10 Hz",
+    "power_loss": "W, P_KV",
+    "maximum_speed": "rad/s, n_max",
+    "driving_inertia": "kg*m^2",
+    "driven_inertia": "kg*m^2",
 }
 _LIBRARIES = ("casadi", "numpy", "scipy", "pydantic", "pint", "PyYAML", "rich")
 

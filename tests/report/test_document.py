@@ -41,7 +41,7 @@ def test_software(document):
     assert all(isinstance(version, str) for version in software.values())
 
 
-def test_units_are_of_keys_that_exist(document):
+def test_units_are_of_keys_that_exist(document, with_catalogue):
     def keys(part):
         if isinstance(part, dict):
             for key, value in part.items():
@@ -52,7 +52,8 @@ def test_units_are_of_keys_that_exist(document):
                 yield from keys(entry)
 
     content = {key: value for key, value in document.items() if key != "units"}
-    assert set(document["units"]) <= set(keys(content))
+    sizes = build_document(with_catalogue)["catalogue_choice"]
+    assert set(document["units"]) <= {*keys(content), *keys(sizes)}
 
 
 def test_baseline_is_si(document):
