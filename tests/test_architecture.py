@@ -32,6 +32,9 @@ MAY_IMPORT = {
 ONLY_IN = {
     "rich": {"report", "commands"},
     "typer": {"commands"},
+    "jinja2": {"report"},
+    "markupsafe": {"report"},
+    "plotly": set(),  # looked into for its script, never imported
     "yaml": {"case"},
     "pydantic": {"case"},
     "pydantic_core": {"case"},

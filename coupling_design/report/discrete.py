@@ -29,7 +29,7 @@ def render_catalogue(choice: CatalogueChoice) -> Panel:
     return panel(
         "Catalogue sizes",
         (
-            facts(_tried(choice)),
+            facts(catalogue_facts(choice)),
             render_alternatives(tried_sizes(choice)),
             Text(
                 describe_price(choice),
@@ -96,7 +96,8 @@ def _against(price: float) -> str:
     return f"{share} less" if price < 0 else f"{share} more"
 
 
-def _tried(choice: CatalogueChoice) -> Iterable[tuple[str, str]]:
+def catalogue_facts(choice: CatalogueChoice) -> Iterable[tuple[str, str]]:
+    """Yield which catalogues were looked through, and the best size's data."""
     for file in choice.files:
         yield "catalogue", f"{file.name}: {file.file}"
         yield "", f"sha256 {file.sha256}"
