@@ -52,7 +52,7 @@ format: .venv/installed-lint
 
 .venv/installed: $(PY) pyproject.toml
 	@echo "Installing the program into .venv ..." >&2
-	@$(INSTALL) .
+	@$(INSTALL) ".[html]"
 	@touch $@
 
 .venv/installed-test: $(PY) pyproject.toml
@@ -72,7 +72,7 @@ format: .venv/installed-lint
 
 .venv/installed-lint: $(PY) pyproject.toml
 	@echo "Installing the program and its lint tools into .venv ..." >&2
-	@$(INSTALL) ".[lint]"
+	@$(INSTALL) ".[html,lint]"
 	@touch .venv/installed $@
 
 $(PY):

@@ -39,7 +39,7 @@ def flow(monkeypatch, tmp_path):
 @pytest.fixture
 def outcomes():
     """Return a design and none, too small for a report of their own."""
-    return SimpleNamespace(chosen=object()), SimpleNamespace(chosen=None)
+    return tuple(SimpleNamespace(chosen=c, histories=()) for c in (object(), None))
 
 
 @pytest.fixture

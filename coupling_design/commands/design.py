@@ -32,8 +32,10 @@ def run(
     """Design the coupling of a machine: five steps, a report and its files."""
     from coupling_design.case import load_case
     from coupling_design.design.flow import run_design
+    from coupling_design.design.speed_map import evaluate_speed_map
     from coupling_design.report.console import make_report_console
     from coupling_design.report.files import prepare_directory, write_files
+    from coupling_design.report.html.library import HOW_TO_GET, can_write_html
     from coupling_design.report.outcome import render_outcome
     from coupling_design.report.progress import show_progress
 
@@ -44,6 +46,11 @@ def run(
         outcome = run_design(loaded, progress)
     console = make_report_console()
     console.print(render_outcome(outcome))
-    written = write_files(outcome, directory)
+    # Nothing but the figures wants the speed range.
+    draws = bool(outcome.histories)
+    speed_map = evaluate_speed_map(loaded, outcome.chosen) if draws else None
+    written = write_files(outcome, directory, speed_map)
     console.print(*(f"Written: {path}" for path in written), sep="\n", soft_wrap=True)
+    if draws and not can_write_html():
+        console.print(HOW_TO_GET, soft_wrap=True)
     return _NO_DESIGN if outcome.chosen is None else 0

@@ -7,9 +7,12 @@ import secrets
 from pathlib import Path
 
 from coupling_design.design.results import DesignOutcome
+from coupling_design.design.speed_map import SpeedMap
 from coupling_design.errors import OutputError
 from coupling_design.report.console import plain_text
 from coupling_design.report.document import build_document, document_text
+from coupling_design.report.html.library import can_write_html
+from coupling_design.report.html.page import html_report
 from coupling_design.report.outcome import render_outcome
 
 
@@ -24,12 +27,19 @@ def prepare_directory(directory: Path) -> None:
         raise _output_error(directory, error) from None
 
 
-def write_files(outcome: DesignOutcome, directory: Path) -> tuple[Path, ...]:
-    """Write design.json and report.txt; return their paths."""
+def write_files(
+    outcome: DesignOutcome, directory: Path, speed_map: SpeedMap | None = None
+) -> tuple[Path, ...]:
+    """Write design.json, report.txt and report.html; return their paths.
+
+    The last is left out without histories to draw, and where `can_write_html` says no.
+    """
     texts = {
         directory / "design.json": document_text(build_document(outcome)),
         directory / "report.txt": plain_text(render_outcome(outcome)),
     }
+    if outcome.histories and can_write_html():
+        texts[directory / "report.html"] = html_report(outcome, speed_map)
     for path, text in texts.items():
         write_atomically(path, text)
     return tuple(texts)
