@@ -23,6 +23,7 @@ from studies import (
 )
 from studies.command import Found, Study
 from studies.drawing import save
+from studies.identification import report as identification
 from studies.judgement import Contrast
 from tests.verification.comparison import Comparison
 
@@ -40,13 +41,18 @@ class Illustration:
 
 @dataclass(frozen=True)
 class Part:
-    """A part of the validation; `missing` says why nothing could be compared."""
+    """A part of the validation; `missing` says why nothing could be compared.
+
+    `text` is Markdown of the part's own, with the paths of its `drawings` as they are.
+    """
 
     title: str
     comparisons: tuple[Comparison, ...] = ()
     contrasts: tuple[Contrast, ...] = ()
     illustrations: tuple[Illustration, ...] = ()
     missing: str = ""
+    text: str = ""
+    drawings: tuple[Path, ...] = ()
 
 
 def collect(case: Case, folder: Path) -> tuple[Part, ...]:
@@ -59,6 +65,7 @@ def collect(case: Case, folder: Path) -> tuple[Part, ...]:
             paper_results.comparisons(case),
             illustrations=tuple(illustrations(case, folder)),
         ),
+        identification_part(case, folder),
         Part(
             "Where the paper contradicts itself",
             contrasts=honest.contrasts,
@@ -77,6 +84,19 @@ def collect(case: Case, folder: Path) -> tuple[Part, ...]:
             tuple(skf.contrasts()),
         ),
         *verification_parts(),
+    )
+
+
+def identification_part(case: Case, folder: Path) -> Part:
+    """Return which lost inputs reproduce the paper, and how well each is determined."""
+    found = identification.STUDY.examine(case)
+    drawn = identification.STUDY.figures(found)
+    files = tuple(save(figure, folder, name) for name, figure in drawn.items())
+    return Part(
+        identification.STUDY.title,
+        identification.comparisons(case),
+        text=identification.fragment(case, files[0].as_posix()),
+        drawings=files,
     )
 
 

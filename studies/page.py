@@ -74,6 +74,8 @@ def _part_blocks(part: Part, page: Path) -> Iterator[str]:
         yield _comparison_table(part.comparisons)
     if part.contrasts:
         yield _contrast_table(part.contrasts)
+    if part.text:
+        yield _with_links(part.text, part.drawings, page)
     for illustration in part.illustrations:
         yield from _illustration_blocks(illustration, page)
 
@@ -138,8 +140,19 @@ def _illustration_blocks(illustration: Illustration, page: Path) -> Iterator[str
     if illustration.findings:
         yield "\n".join(f"* {sentence}" for sentence in illustration.findings)
     for file in illustration.files:
-        path = Path(os.path.relpath(file.resolve(), page.resolve().parent)).as_posix()
-        yield f"![{illustration.title}]({path})"
+        yield f"![{illustration.title}]({_link(file, page)})"
+
+
+def _with_links(text: str, drawings: Sequence[Path], page: Path) -> str:
+    """Return text whose paths of drawings are seen from where the page lies."""
+    for file in drawings:
+        text = text.replace(file.as_posix(), _link(file, page))
+    return text
+
+
+def _link(file: Path, page: Path) -> str:
+    """Return a file's path as seen from where the page lies."""
+    return Path(os.path.relpath(file.resolve(), page.resolve().parent)).as_posix()
 
 
 def number(row: Comparison, value: float) -> str:
