@@ -16,7 +16,8 @@ from coupling_design.report.html.typography import typeset
 from coupling_design.report.units import display_unit, displayed, quantity
 
 _HEIGHT = 300
-_BETWEEN = 0.07
+_BETWEEN = 0.02
+_ROOM = 1.15
 
 
 def comparison_figure(outcome: DesignOutcome) -> Figure | None:
@@ -30,16 +31,23 @@ def comparison_figure(outcome: DesignOutcome) -> Figure | None:
         zip(*(list(_quantities(outcome, d)) for d in designs.values()), strict=True)
     )
     layout = base_layout("") | {"height": _HEIGHT, "showlegend": False}
+    layout["margin"] |= {"l": 10, "r": 10, "t": 20, "b": 70}
     width = (1 - _BETWEEN * (len(panels) - 1)) / len(panels)
     traces: list[dict[str, Any]] = []
     for n, panel in enumerate(panels):
         start, suffix = n * (width + _BETWEEN), str(n + 1) if n else ""
         label, unit, _ = panel[0]
         layout[f"xaxis{suffix}"] = axis(
-            label, domain=[start, start + width], anchor=f"y{suffix}", type="category"
+            label,
+            domain=[start, start + width],
+            anchor=f"y{suffix}",
+            type="category",
+            tickangle=0,
         )
-        title = display_unit(unit)
-        layout[f"yaxis{suffix}"] = axis(title, rangemode="tozero", anchor=f"x{suffix}")
+        layout[f"xaxis{suffix}"]["title"]["text"] += f"<br>[{display_unit(unit)}]"
+        layout[f"yaxis{suffix}"] = axis(
+            "", range=_range(panel), anchor=f"x{suffix}", showticklabels=False
+        )
         traces.append(_bars(list(designs), panel, suffix))
     return Figure(
         "comparison",
@@ -63,6 +71,11 @@ def _quantities(
         yield f"peak F_l, {name}", "N", float(load)
 
 
+def _range(panel: tuple[tuple[str, str, float], ...]) -> list[float]:
+    """Return an ordinate from zero, with room for the number above the tallest bar."""
+    return [0.0, _ROOM * max(displayed(value, unit) for _, unit, value in panel)]
+
+
 def _bars(
     roles: list[str], panel: tuple[tuple[str, str, float], ...], suffix: str
 ) -> dict[str, Any]:
@@ -72,6 +85,8 @@ def _bars(
         "y": [displayed(value, unit) for _, unit, value in panel],
         "text": [typeset(quantity(value, unit)) for _, unit, value in panel],
         "textposition": "outside",
+        "textangle": 0,
+        "constraintext": "none",
         "cliponaxis": False,
         "marker": {"color": [ROLE_COLOURS[role] for role in roles]},
         "xaxis": f"x{suffix}",

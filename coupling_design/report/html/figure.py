@@ -23,6 +23,7 @@ _ROW_HEIGHT, _MARGIN = 160, 110
 _AIR = 0.12  # of an ordinate's range, above and below, where limits have their words
 _BETWEEN_ROWS = 0.12  # of a row's height
 _SMALL = 11
+_TICKS = 6  # powers of ten on one axis, at most
 _DECADES = 3  # more of them have room for powers of ten only
 
 
@@ -107,7 +108,8 @@ def base_layout(abscissa: str) -> dict[str, Any]:
         "font": {"family": "Arial, Helvetica, sans-serif", "size": 12, "color": BLACK},
         "paper_bgcolor": "white",
         "plot_bgcolor": "white",
-        "margin": {"l": 72, "r": 24, "t": 44, "b": 52},
+        # Fixed: margins that grow with their labels are late when a page is printed.
+        "margin": {"l": 88, "r": 20, "t": 40, "b": 50, "autoexpand": False},
         "hovermode": "closest",
         "legend": {
             "orientation": "h",
@@ -131,7 +133,6 @@ def axis(label: str, **more: Any) -> dict[str, Any]:
         "zeroline": False,
         "ticks": "outside",
         "exponentformat": "power",
-        "automargin": True,
         **more,
     }
 
@@ -144,7 +145,8 @@ def logarithmic(low: float, high: float) -> dict[str, Any]:
     """Return a logarithmic axis from `low` to `high` with ticks at round values."""
     ends = [float(np.log10(low)), float(np.log10(high))]
     if ends[1] - ends[0] > _DECADES:
-        return {"type": "log", "range": ends, "dtick": 1}
+        apart = int(np.ceil((ends[1] - ends[0]) / _TICKS))
+        return {"type": "log", "range": ends, "dtick": apart}
     powers = range(int(np.floor(ends[0])), int(np.ceil(ends[1])) + 1)
     digits = (1, 2, 5) if ends[1] - ends[0] > 1 else (1, 1.5, 2, 3, 4, 5, 7)
     ticks = [digit * 10.0**power for power in powers for digit in digits]

@@ -137,6 +137,7 @@ def _over_plane(
     caption = _CAPTION.format(points=said)
     height = 2 * _PANEL
     layout["height"] = height
+    layout["margin"] |= {"r": 110}
     return Figure(key, _title(map_), caption, note, height, traces, layout)
 
 

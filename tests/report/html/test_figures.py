@@ -170,4 +170,5 @@ def test_a_short_logarithmic_axis_has_round_ticks(ends, words):
 
 
 def test_a_long_logarithmic_axis_has_powers_of_ten():
-    assert logarithmic(1e8, 1e15)["dtick"] == 1
+    assert logarithmic(1e8, 1e12)["dtick"] == 1
+    assert logarithmic(1e8, 1e15)["dtick"] == 2
