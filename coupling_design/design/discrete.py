@@ -43,7 +43,7 @@ def choose_size(state: FlowState) -> CatalogueChoice | None:
         price=_damage(selected) / ideal.damage - 1 if selected else None,
         price_of_stiffness=_price_of_stiffness(state, solution, selected),
         is_chosen=selected is not None and case.choose is Choice.CATALOGUE,
-        findings=tuple(_findings(case, trials)),
+        findings=(*_smallest(trials, selected), *_findings(case, trials)),
     )
 
 
@@ -124,6 +124,22 @@ def _price_of_stiffness(
     stiffness = selected.size.torsional_stiffness
     alone = evaluator.performance(stiffness, float(ideal.key_gap))
     return alone.damage / ideal.damage - 1
+
+
+def _smallest(
+    trials: tuple[SizeTrial, ...], selected: SizeTrial | None
+) -> Iterator[str]:
+    """Yield the smallest size that serves, where the best is a larger one."""
+    passing = [trial for trial in trials if trial.passes]
+    if selected is None:
+        return
+    smallest = min(passing, key=lambda trial: trial.size.nominal_torque)
+    if smallest.size.nominal_torque < selected.size.nominal_torque:
+        more = _damage(smallest) / _damage(selected) - 1
+        yield (
+            f"The smallest size that meets every limit is {smallest.size.name}; it "
+            f"does {more:.1%} more damage than {selected.size.name}."
+        )
 
 
 def _findings(case: Case, trials: tuple[SizeTrial, ...]) -> Iterator[str]:

@@ -89,6 +89,17 @@ def test_the_best_keeps_every_limit_with_the_least_damage(choice):
     assert choice.selected.performance.damage == least
 
 
+def test_the_smallest_that_serves_is_named_beside_a_larger_best(choice):
+    smallest, best = trial(choice, "D 3"), trial(choice, "D 4")
+    assert smallest.passes
+    assert choice.selected == best
+    more = smallest.performance.damage / best.performance.damage - 1
+    assert choice.findings[0] == (
+        "The smallest size that meets every limit is D 3; it does "
+        f"{more:.1%} more damage than D 4."
+    )
+
+
 def test_the_price_is_damage_over_ideal_damage(choice):
     damage = choice.selected.performance.damage
     assert choice.price == pytest.approx(damage / choice.ideal.damage - 1)
