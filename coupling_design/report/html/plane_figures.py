@@ -147,7 +147,7 @@ def _heat(
     return {
         "type": "heatmap",
         **_place(map_, ordinate),
-        "z": [[float(value) for value in row] for row in values],
+        "z": packed(values),
         "colorscale": "Cividis",
         "colorbar": {
             "title": {"text": typeset(label), "side": "top"},
@@ -164,7 +164,7 @@ def _border(map_: DesignMap, force: Any, limit: Limit) -> dict[str, Any]:
     return {
         "type": "contour",
         **_place(map_, "y2"),
-        "z": [[float(value) for value in row] for row in force],
+        "z": packed(force),
         "contours": {
             "start": limit.value,
             "end": limit.value,

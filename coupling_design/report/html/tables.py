@@ -89,18 +89,35 @@ def optimum_table(optimum: Optimum) -> Table:
     return Table(("design", *_one_line(DESIGN_HEADERS)), (row,))
 
 
+def compared_designs(outcome: DesignOutcome) -> Iterator[Measured]:
+    """Yield the present design, and the chosen or the nearest one beside it."""
+    baseline, chosen, nearest = outcome.baseline, outcome.chosen, outcome.nearest
+    digits = baseline.conditioning.digits
+    if chosen is not None:
+        yield Measured("present", baseline.performance, baseline.rundown, digits)
+        own = chosen.conditioning.digits
+        yield Measured("chosen", chosen.performance, chosen.rundown, own)
+        return
+    run_down = None if nearest else baseline.rundown
+    yield Measured("present", baseline.performance, run_down, digits)
+    if nearest is not None:
+        firm = nearest.conditioning
+        own = digits if firm is None else firm.digits
+        yield Measured("nearest", nearest.performance, None, own)
+
+
 def comparison_table(outcome: DesignOutcome) -> Table:
     """Return the present design and the chosen or nearest one, quantity by quantity."""
     first, second = outcome.case.bearings
     lines = [
         list(quantity_rows(design, (first.name, second.name)))
-        for design in _designs(outcome)
+        for design in compared_designs(outcome)
     ]
     rows = [
         (same[0][0], *(text for _, _, text in same), same[0][1])
         for same in zip(*lines, strict=True)
     ]
-    roles = (design.heading for design in _designs(outcome))
+    roles = (design.heading for design in compared_designs(outcome))
     return Table(("quantity", *roles, "unit"), tuple(rows))
 
 
@@ -155,22 +172,6 @@ def _input(value: SourcedValue) -> tuple[str, ...]:
     if not isinstance(si, str):
         si = f"{si:.{_PLACES}g} {value.unit}".strip()
     return key, value.text, si, value.source or "not stated", value.note
-
-
-def _designs(outcome: DesignOutcome) -> Iterator[Measured]:
-    baseline, chosen, nearest = outcome.baseline, outcome.chosen, outcome.nearest
-    digits = baseline.conditioning.digits
-    if chosen is not None:
-        yield Measured("present", baseline.performance, baseline.rundown, digits)
-        own = chosen.conditioning.digits
-        yield Measured("chosen", chosen.performance, chosen.rundown, own)
-        return
-    run_down = None if nearest else baseline.rundown
-    yield Measured("present", baseline.performance, run_down, digits)
-    if nearest is not None:
-        firm = nearest.conditioning
-        own = digits if firm is None else firm.digits
-        yield Measured("nearest", nearest.performance, None, own)
 
 
 def _one_line(headers: Sequence[str]) -> tuple[str, ...]:

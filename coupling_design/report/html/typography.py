@@ -6,7 +6,7 @@ import html
 import re
 
 _SYMBOL = re.compile(
-    r"\b([A-Za-z])_(Tdyn|Kmax|KN|KW|KV|ISO|min|max|10|c|C|l|n|p|W)(?![A-Za-z0-9_])"
+    r"\b([A-Za-z])_(Tdyn|Kmax2?|KN|KW|KV|ISO|min|max|10|c|C|f|l|n|p|t|z|W)(?![A-Za-z0-9_])"
 )
 _POWER = re.compile(r"(?<![\w.])([-+]?\d+(?:\.\d+)?)e([-+]?\d+)(?!\w)")
 _SIGNS = {

@@ -12,9 +12,6 @@ from coupling_design.design.signals import BearingHistory, RundownHistory
 from coupling_design.design.speed_map import evaluate_speed_map
 from coupling_design.driveline.history import History
 
-pytest.importorskip("plotly")
-pytest.importorskip("jinja2")
-
 SAMPLES = 20_000
 VOID = {"meta", "br", "link", "img", "hr", "input"}
 

@@ -13,7 +13,9 @@ from coupling_design.report.html.speed_figures import speed_figures
 
 def unpacked(values):
     if isinstance(values, dict):
-        return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")
+        flat = np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")
+        shape = values.get("shape", str(flat.size))
+        return flat.reshape([int(length) for length in shape.split(",")])
     return np.array(values)
 
 
@@ -96,8 +98,9 @@ def test_a_plane_shows_every_value_of_its_map(drawn):
     [map_] = drawn.steps[2].maps
     figure = plane_figure(drawn, map_, "plane")
     damage, force = (t for t in figure.traces if t["type"] == "heatmap")
-    assert damage["z"] == [list(row) for row in map_.damage]
-    assert np.allclose(force["z"], np.array(map_.peak_transmission_force) / 1e3)
+    assert np.allclose(unpacked(damage["z"]), map_.damage, rtol=1e-6, atol=0)
+    peaks = np.array(map_.peak_transmission_force) / 1e3
+    assert np.allclose(unpacked(force["z"]), peaks, rtol=1e-6)
 
 
 def test_a_plane_marks_the_present_and_the_optimum(drawn):
@@ -140,6 +143,12 @@ def test_comparison_has_damage_and_peaks(drawn, drawn_without_design):
         assert len(figure.traces) == 5
         assert all(trace["x"] == ["present", role] for trace in figure.traces)
     assert comparison_figure(replace(drawn_without_design, nearest=None)) is None
+
+
+def test_a_bar_shows_no_more_digits_than_stand(drawn):
+    # The present damage, 4.0512345e-9, stands to 2 digits, the chosen one to 4.
+    first = comparison_figure(drawn).traces[0]
+    assert first["text"] == ["4.1·10<sup>−9</sup>", "2.562·10<sup>−9</sup>"]
 
 
 def test_campbell_tells_a_critical_speed_too_near_by_its_shape(speed_map):

@@ -7,7 +7,7 @@ from coupling_design.report.html.typography import typeset
     ("text", "expected"),
     [
         ("peak F_c [kN]", "peak F<sub>c</sub> [kN]"),
-        ("T_Kmax2 stays", "T_Kmax2 stays"),
+        ("T_Kmax2 x S_t", "T<sub>Kmax2</sub> x S<sub>t</sub>"),
         ("F_min less", "F<sub>min</sub> less"),
         ("transmission_force", "transmission_force"),
         ("my_case", "my_case"),
