@@ -26,7 +26,10 @@ MAY_IMPORT = {
     "case": LEAVES | {"driveline", "bearing", "engine"},
     "design": LEAVES | {"rollout", "driveline", "bearing", "case"},
     "report": {"errors", "case", "design"},
-    "commands": LEAVES | {"driveline", "bearing", "case", "design", "report"},
+    "explore": LEAVES | {"driveline", "bearing", "case", "design"},
+    "api": LEAVES | {"case", "design", "explore", "report"},
+    "commands": LEAVES
+    | {"driveline", "bearing", "case", "design", "explore", "report"},
     "__main__": {"commands"},
 }
 ONLY_IN = {

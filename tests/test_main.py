@@ -51,6 +51,9 @@ def small_report(monkeypatch):
         "coupling_design.report.files.build_document", lambda _: {"chosen": 1}
     )
     monkeypatch.setattr(
+        "coupling_design.explore.chosen.chosen_case_text", lambda *_: "the case"
+    )
+    monkeypatch.setattr(
         "coupling_design.report.files.render_outcome", lambda _: "the report"
     )
 
@@ -65,10 +68,12 @@ def test_a_design_is_exit_code_0(flow, outcomes, capsys):
         "the report",
         f"Written: {directory / 'design.json'}",
         f"Written: {directory / 'report.txt'}",
+        f"Written: {directory / 'chosen.yaml'}",
     ]
     assert err == ""
     assert json.loads((directory / "design.json").read_text()) == {"chosen": 1}
     assert (directory / "report.txt").read_text() == "the report\n"
+    assert (directory / "chosen.yaml").read_text() == "the case"
 
 
 @pytest.mark.usefixtures("small_report")
@@ -76,6 +81,7 @@ def test_no_design_is_exit_code_1(flow, outcomes):
     flow(outcomes[1])
     assert main([str(CASE), "--output", "elsewhere"]) == 1
     assert Path("elsewhere", "design.json").exists()
+    assert not Path("elsewhere", "chosen.yaml").exists()
 
 
 def test_bad_input_is_exit_code_2(flow, capsys):

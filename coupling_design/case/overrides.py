@@ -48,12 +48,16 @@ def override(document: Document, assignments: Sequence[str]) -> Document:
     return document
 
 
-def _assign(document: Document, assignment: str) -> None:
+def parse_assignment(assignment: str, document: Document) -> tuple[Path, str]:
+    """Return the place an assignment means and the value as written, or ValueError."""
     name, equals, text = assignment.partition("=")
     if not equals or not name.strip():
         raise ValueError("expected path=value, such as connection.gap=0.1mm")
-    path = find_place(name, document)
-    text = text.strip()
+    return find_place(name, document), text.strip()
+
+
+def _assign(document: Document, assignment: str) -> None:
+    path, text = parse_assignment(assignment, document)
     _forget(document, path)
     holder = _holder(document, path)
     if text:

@@ -13,7 +13,16 @@ from typer.main import get_command
 
 from coupling_design import __doc__ as purpose
 from coupling_design import __version__
-from coupling_design.commands import check, design, new, schema
+from coupling_design.commands import (
+    campbell,
+    check,
+    compare,
+    design,
+    new,
+    schema,
+    simulate,
+    sweep,
+)
 from coupling_design.commands.group import CommandGroup
 
 PROGRAM = "coupling-design"
@@ -27,6 +36,10 @@ COMMANDS: dict[str, ModuleType] = {
     "design": design,
     "check": check,
     "new": new,
+    "simulate": simulate,
+    "sweep": sweep,
+    "campbell": campbell,
+    "compare": compare,
     "schema": schema,
 }
 

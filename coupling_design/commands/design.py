@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from coupling_design.commands.options import CaseFile, Overrides
+
+if TYPE_CHECKING:
+    from coupling_design.design.results import DesignOutcome
 
 EXAMPLES = (
     "design cases/16v280.yaml",
@@ -49,8 +52,31 @@ def run(
     # Nothing but the figures wants the speed range.
     draws = bool(outcome.histories)
     speed_map = evaluate_speed_map(loaded, outcome.chosen) if draws else None
-    written = write_files(outcome, directory, speed_map)
+    written = (
+        *write_files(outcome, directory, speed_map),
+        *_write_chosen(outcome, directory),
+    )
     console.print(*(f"Written: {path}" for path in written), sep="\n", soft_wrap=True)
     if draws and not can_write_html():
         console.print(HOW_TO_GET, soft_wrap=True)
     return _NO_DESIGN if outcome.chosen is None else 0
+
+
+def _write_chosen(outcome: DesignOutcome, directory: Path) -> tuple[Path, ...]:
+    """Write the chosen design as a case; take an old one away where there is none."""
+    from coupling_design.errors import DesignError
+    from coupling_design.explore.chosen import chosen_case_text
+    from coupling_design.report.console import make_error_console
+    from coupling_design.report.files import write_atomically
+
+    file = directory / "chosen.yaml"
+    if outcome.chosen is None:
+        file.unlink(missing_ok=True)
+        return ()
+    try:
+        write_atomically(file, chosen_case_text(outcome, directory))
+    except DesignError as error:
+        make_error_console().print(f"Not written: {file}: {error}", soft_wrap=True)
+        file.unlink(missing_ok=True)
+        return ()
+    return (file,)

@@ -78,6 +78,10 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
             "overrides": list(case.overrides),
         },
         "software": _software(),
+        "inputs": {
+            value.path: {"value": value.value, "unit": value.unit, "text": value.text}
+            for value in case.provenance
+        },
         "reading": case.reading.value,
         "baseline": _baseline(outcome.baseline),
         "steps": [_step(result) for result in outcome.steps],

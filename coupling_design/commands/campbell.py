@@ -1,0 +1,29 @@
+"""`campbell CASE`: critical speeds and steady vibration."""
+
+from __future__ import annotations
+
+from coupling_design.commands.options import CaseFile, Overrides
+
+EXAMPLES = (
+    "campbell cases/16v280.yaml",
+    "campbell cases/16v280.yaml --set coupling.torsional_stiffness=0.3MN*m/rad",
+    "campbell reports/16v280/chosen.yaml",
+)
+
+
+def run(case: CaseFile, overrides: Overrides = None) -> int:
+    """Print the Campbell diagram as tables: orders against natural frequencies.
+
+    Critical speeds with their margins to the working range, forbidden speeds, and
+    the vibratory torque in the coupling. Of the present coupling: for the chosen one
+    name the chosen.yaml that a design has written.
+    """
+    from coupling_design.case import load_case
+    from coupling_design.design.speed_map import evaluate_speed_map
+    from coupling_design.report.campbell import render_speed_map
+    from coupling_design.report.console import make_report_console
+
+    loaded = load_case(case, overrides or ())
+    report = render_speed_map(loaded, evaluate_speed_map(loaded))
+    make_report_console().print(report)
+    return 0

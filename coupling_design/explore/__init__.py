@@ -1,0 +1,1 @@
+"""What would happen if? Run-downs and sweeps of a case as labelled arrays."""

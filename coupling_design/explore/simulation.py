@@ -1,0 +1,96 @@
+"""One run-down, signal by signal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from coupling_design import __version__
+from coupling_design.arithmetic import FloatArray
+from coupling_design.case.case import Case
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.histories import rundown_history
+from coupling_design.design.performance import Performance
+from coupling_design.design.signals import RundownHistory
+from coupling_design.explore.grid import Grid, Quantity
+from coupling_design.explore.points import Point
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """A run-down of one coupling: totals, and every signal over time."""
+
+    case: Case
+    point: Point
+    performance: Performance
+    signals: Grid
+
+
+def simulate_point(case: Case, point: Point) -> Simulation:
+    """Return the run-down of a point; raise SimulationError where it diverges."""
+    evaluator = Evaluator(case, point.candidate)
+    stiffness, gap = point.torsional_stiffness, point.key_gap
+    history = rundown_history(
+        case, point.candidate, evaluator.outline(stiffness, gap), "simulated"
+    )
+    signals = Grid((_time(history),), _signals(history, case), facts_of(case, point))
+    first, second = history.bearings
+    force = history.driveline.transmission_force
+    totals = [
+        first.damage[-1],
+        second.damage[-1],
+        np.abs(force).max(),
+        first.combined_load.max(),
+        second.combined_load.max(),
+    ]
+    performance = evaluator.read(stiffness, gap, [float(total) for total in totals])
+    return Simulation(case, point, performance, signals)
+
+
+def facts_of(case: Case, point: Point) -> dict[str, str]:
+    """Return what a file of results must say of where they come from."""
+    return {
+        "title": case.name,
+        "case_file": case.file,
+        "case_sha256": case.sha256,
+        "overrides": "; ".join(case.overrides),
+        "coupling": point.candidate.label,
+        "source": f"coupling_design {__version__}",
+    }
+
+
+def _time(history: RundownHistory) -> Quantity:
+    return Quantity("time", "s", "time since the shutdown", history.driveline.time)
+
+
+def _signals(history: RundownHistory, case: Case) -> tuple[Quantity, ...]:
+    line = history.driveline
+    rows: list[tuple[str, str, str, FloatArray]] = [
+        ("engine_speed", "rad/s", "speed of the engine", line.engine_speed),
+        ("generator_speed", "rad/s", "speed of the generator", line.generator_speed),
+        (
+            "transmission_force",
+            "N",
+            "F_c, tangential at the connection's radius",
+            line.transmission_force,
+        ),
+        (
+            "coupling_torque",
+            "N*m",
+            "torque in the elastic part of the coupling",
+            line.coupling_torque,
+        ),
+        ("generator_angle", "rad", "turned since the start", line.generator_angle),
+    ]
+    for k, (bearing, seen) in enumerate(
+        zip(case.bearings, history.bearings, strict=True), start=1
+    ):
+        load = f"combined load, {bearing.name}"
+        rows.append((f"combined_load_{k}", "N", load, seen.combined_load))
+    for k, (bearing, seen) in enumerate(
+        zip(case.bearings, history.bearings, strict=True), start=1
+    ):
+        damage = f"Miner sum up to the end of the step, {bearing.name}"
+        rows.append((f"damage_{k}", "1", damage, seen.damage))
+    return tuple(Quantity(*row) for row in rows)
