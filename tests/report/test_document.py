@@ -24,7 +24,7 @@ def test_round_trip(outcome, document):
 def test_top_level(document):
     assert list(document) == [
         "schema_version", "units", "case", "software", "inputs", "reading", "baseline",
-        "chosen", "nearest", "nearest_criteria", "strict_reading",
+        "steps", "chosen", "nearest", "nearest_criteria", "strict_reading",
         "catalogue_choice", "assumptions", "engine", "rollouts", "run_time_s",
     ]  # fmt: skip
     assert document["schema_version"] == 1
