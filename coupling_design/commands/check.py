@@ -22,6 +22,8 @@ EXAMPLES = (
     "check cases/16v280.yaml --notes",
     "check cases/16v280.yaml --set connection.gap=0.1mm",
 )
+_RIGHT = (2, 5)  # columns: SI value, line
+_WIDEST = 26
 _JUDGED = ("assumed", "fitted", "invented")
 
 
@@ -77,18 +79,25 @@ def _parts(
 def _rows(
     values: Sequence[EchoedValue], widths: Sequence[int], *, show_notes: bool
 ) -> RenderableType:
+    """Return lines of one section; equal widths keep all sections in line."""
+    from rich.console import Group
+    from rich.padding import Padding
     from rich.table import Table
     from rich.text import Text
 
-    rows = Table.grid(padding=(0, 2, 0, 0))
-    for index, width in enumerate(widths):
-        justify = "right" if index in (2, 5) else "left"
-        rows.add_column(width=min(width, 40), justify=justify, overflow="fold")  # type: ignore[arg-type]  # a literal
+    parts: list[RenderableType] = []
     for value in values:
-        rows.add_row(*map(Text, _cells(value)))
+        row = Table.grid(padding=(0, 2, 0, 0))
+        for index, width in enumerate(widths):
+            if index in _RIGHT:
+                row.add_column(width=width, justify="right")
+            else:
+                row.add_column(width=min(width, _WIDEST), overflow="fold")
+        row.add_row(*map(Text, _cells(value)))
+        parts.append(row)
         if show_notes and value.note:
-            rows.add_row("", Text(value.note, style="dim"))
-    return rows
+            parts.append(Padding(Text(value.note, style="dim"), (0, 0, 0, 4)))
+    return Group(*parts)
 
 
 def _cells(value: EchoedValue) -> tuple[str, ...]:

@@ -22,8 +22,12 @@ class CommandGroup(TyperGroup):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the arguments; put the default command in where none is named."""
         ours = {name for option in self.get_params(ctx) for name in option.opts}
-        if not args or args[0] not in {*self.commands, *ours}:
-            self._check_spelling(ctx, args)
+        is_completion = ctx.resilient_parsing
+        if not args:
+            args = [] if is_completion else [DEFAULT]
+        elif args[0] not in {*self.commands, *ours}:
+            if not is_completion:
+                self._check_spelling(ctx, args)
             args = [DEFAULT, *args]
         return super().parse_args(ctx, args)
 

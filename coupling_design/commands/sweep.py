@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from coupling_design.commands.group import INTERRUPTED
-from coupling_design.commands.options import CaseFile, Overrides
+from coupling_design.commands.options import CaseFile, Overrides, complete_place
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -39,6 +39,7 @@ _What = Annotated[
     typer.Argument(
         metavar="PATH=VALUES...",
         show_default=False,
+        autocompletion=complete_place,
         help="what varies: stiffness, gap, or any value by its path in the case; "
         "LOW..HIGH:COUNT, with a unit or x for times the present value, log after the "
         "count for equal ratios; or values between commas",

@@ -26,6 +26,28 @@ def test_the_help_lists_every_command(run):
     assert f"{PROGRAM} CASE is short for" in out
 
 
+@pytest.mark.parametrize(
+    ("words", "among"),
+    [
+        ("coupling-design ", {"check", "simulate", "sweep", "schema"}),
+        ("coupling-design s", {"simulate", "sweep", "schema"}),
+        ("coupling-design simulate x.yaml --st", {"--stiffness"}),
+        ("coupling-design x.yaml --outp", {"--output"}),
+        ("coupling-design check {case} --set connection.g", {"connection.gap="}),
+        ("coupling-design sweep {case} lubrication.v", {"lubrication.viscosity="}),
+        ("coupling-design check absent.yaml --set connection.g", set()),
+    ],
+)
+def test_what_the_shell_completes(run, quick, monkeypatch, words, among):
+    words = words.format(case=quick)
+    monkeypatch.setenv("_COUPLING_DESIGN_COMPLETE", "complete_bash")
+    monkeypatch.setenv("COMP_WORDS", words)
+    monkeypatch.setenv("COMP_CWORD", str(len(words.split(" ")) - 1))
+    _, out, err = run()
+    assert err == ""
+    assert among <= set(out.split())
+
+
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_shell_completion(run, monkeypatch, shell):
     monkeypatch.setenv("_TYPER_COMPLETE_TESTING", "1")
