@@ -10,7 +10,7 @@ PY := .venv/bin/python
 # Python compiles what it imports; compiling everything here would add half to the wait.
 INSTALL := $(PY) -m pip install --quiet --disable-pip-version-check --no-compile --editable
 
-.PHONY: help design test test-slow lint format validation benchmark
+.PHONY: help design test test-slow lint format validation benchmark docs
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 
@@ -21,6 +21,7 @@ help:
 	@echo "make test-slow         run the full design flows"
 	@echo "make validation        redo the paper's studies and write VALIDATION.md"
 	@echo "make benchmark         measure the speed and write PERFORMANCE.md"
+	@echo "make docs              build the documentation into site/"
 	@echo "make lint              check style, types and project file"
 	@echo "make format            put the code into the house style"
 
@@ -39,6 +40,10 @@ validation: .venv/installed-studies
 
 benchmark: .venv/installed-benchmark
 	@$(PY) -m benchmarks --write PERFORMANCE.md
+
+docs: .venv/installed-docs
+	@$(PY) -m mkdocs build --strict --quiet
+	@echo "Open site/index.html"
 
 lint: .venv/installed-lint
 	$(PY) -m ruff check
@@ -69,6 +74,11 @@ format: .venv/installed-lint
 	@echo "Installing the program and what its benchmarks need into .venv ..." >&2
 	@$(INSTALL) ".[benchmark]"
 	@touch .venv/installed $@
+
+.venv/installed-docs: $(PY) pyproject.toml
+	@echo "Installing the program and what its documentation needs into .venv ..." >&2
+	@$(INSTALL) ".[test,docs]"
+	@touch .venv/installed .venv/installed-test $@
 
 .venv/installed-lint: $(PY) pyproject.toml
 	@echo "Installing the program and its lint tools into .venv ..." >&2
