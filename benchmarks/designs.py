@@ -64,8 +64,10 @@ def _rows(name: str, subject: Subject, space: DesignSpace, scale: Scale) -> list
         best, worst = (end / ours.damage for end in (found.damage, found.worst))
         shown = (
             f"{found.seconds / ours.seconds:.2f} x the time, {found.rollouts} "
-            f"rollouts, {best:.4f} x the damage (worst start {worst:.4f} x)"
+            f"rollouts, {best:.4f} x the damage"
         )
+        if worst > best:
+            shown += f" (worst start {worst:.4f} x)"
         label = f"the same, {method}, against our search"
         rows.append(Row(f"{key}_{method}", label, shown))
     return rows
