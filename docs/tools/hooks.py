@@ -24,6 +24,7 @@ FROM_ROOT = {
 }
 _BLOCK = re.compile(r"^```math\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _INLINE = re.compile(r"\$`([^`]+)`\$")
+_ALIGNED = re.compile(r"\\begin\{aligned\}(.*?)\\end\{aligned\}")
 _LINK = re.compile(r"\]\((?:\.\./)*(" + "|".join(map(re.escape, FROM_ROOT)) + r")\)")
 _IMAGE = re.compile(r"!\[[^\]]*\]\((studies/[^)]+|benchmarks/[^)]+)\)")
 # Links of the root's pages to files that are no page of the site keep their text only.
@@ -50,8 +51,18 @@ def on_page_markdown(markdown: str, **_: Any) -> str:
 
 
 def mathml(tex: str, display: str) -> str:
-    """Return a formula as MathML on one line."""
-    return convert(" ".join(tex.split()), display=display).replace("\n", "")
+    """Return a formula as MathML on one line, within an element that Markdown keeps."""
+    drawn = convert(_as_array(" ".join(tex.split())), display=display)
+    drawn = drawn.replace("\n", "").replace("<mtable", '<mtable displaystyle="true"')
+    element = "div" if display == "block" else "span"
+    return f'<{element} class="formula">{drawn}</{element}>'
+
+
+def _as_array(tex: str) -> str:
+    """Return aligned equations as an array, the form of them the converter knows."""
+    return _ALIGNED.sub(
+        lambda match: f"\\begin{{array}}{{rlrl}}{match[1]}\\end{{array}}", tex
+    )
 
 
 def _to_root_page(source: str, context: dict[str, Any]) -> str:
