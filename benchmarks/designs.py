@@ -139,13 +139,14 @@ def _methods(
             for start in starts
         ]
 
-    def evolve(f: Scaled) -> list[FloatArray]:
-        # Its usual tolerance is relative to the objective, here a logarithm.
-        limits = {"maxiter": scale.generations, "tol": 0.0, "atol": _SAME, "rng": SEED}
-        return [np.asarray(differential_evolution(f, bounds, **limits).x)]
+    def evolve(**tolerance: float) -> Callable[[Scaled], list[FloatArray]]:
+        limits = {"maxiter": scale.generations, "rng": SEED, **tolerance}
+        return lambda f: [np.asarray(differential_evolution(f, bounds, **limits).x)]
 
     return {
         "SLSQP": local("SLSQP"),
         "Nelder-Mead": local("Nelder-Mead"),
-        "differential evolution": evolve,
+        "differential evolution": evolve(),
+        # Its own tolerance is relative to the objective, here a logarithm.
+        "differential evolution to 1e-3": evolve(tol=0.0, atol=_SAME),
     }
