@@ -42,7 +42,7 @@ benchmark: .venv/installed-benchmark
 	@$(PY) -m benchmarks --write PERFORMANCE.md
 
 docs: .venv/installed-docs
-	@$(PY) -m mkdocs build --strict --quiet
+	@NO_MKDOCS_2_WARNING=1 $(PY) -m mkdocs build --strict --quiet
 	@echo "Open site/index.html"
 
 lint: .venv/installed-lint
