@@ -49,8 +49,9 @@ class Constraint:
 
     def excess(self, performance: Performance) -> Scalar:
         """Return how far the limit is exceeded, relative to it; negative inside."""
-        ratio = self.quantity(performance) / self.limit - 1
-        return ratio if self.sense is Sense.AT_MOST else -ratio
+        # A bearing that its own weight overloads leaves a limit below zero.
+        distance = (self.quantity(performance) - self.limit) / abs(self.limit)
+        return distance if self.sense is Sense.AT_MOST else -distance
 
     def criterion(self, performance: Performance) -> Criterion:
         """Return the constraint held against a performance of numbers."""

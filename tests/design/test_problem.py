@@ -124,6 +124,13 @@ def test_a_load_that_is_minimised_does_not_bind(program, perform):
     assert not program(Objective.DAMAGE).is_feasible(over)
 
 
+def test_no_force_meets_a_limit_that_the_weight_alone_exceeds(force_limit, perform):
+    """F_min less the static load is below zero where the rotor is too heavy."""
+    criterion = force_limit(-5.0).criterion(perform(peak=10.0))
+    assert not criterion.passes
+    assert criterion.margin == pytest.approx(-3.0)  # 15 N beyond, over 5 N
+
+
 def test_violation_is_the_largest_excess(program, perform):
     over = perform(peak=3000.0, frequency=12.0)
     damage = program(Objective.DAMAGE)
