@@ -68,6 +68,10 @@ def _parts(
     for section, inside in groupby(given, key=lambda value: _split(value.path)[0]):
         yield Text(section or "top level", style="bold")
         yield _rows(list(inside), widths, show_notes=show_notes)
+    derived = _derived(case, given)
+    if derived:
+        yield Text("Worked out from these", style="bold")
+        yield facts(derived)
     defaults = [value for value in values if value.is_default]
     if defaults:
         yield Text("Not given", style="bold")
@@ -118,9 +122,19 @@ def _split(path: str) -> tuple[str, str]:
     return section, key
 
 
+def _derived(case: Case, given: Sequence[EchoedValue]) -> list[tuple[str, str]]:
+    """Return what the case worked out for itself, such as an engine's orders."""
+    written = {value.path for value in given}
+    return [
+        (f"  {value.path}", value.text)
+        for value in case.provenance
+        if value.path not in written and value.source == "derived"
+    ]
+
+
 def _default(value: EchoedValue) -> str:
     if value.value is None:
-        return "nothing in its place"
+        return "left out"
     shown = f"{value.value} {value.unit}".strip()
     return f"default: {shown or 'empty'}"
 

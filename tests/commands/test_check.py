@@ -1,3 +1,8 @@
+from pathlib import Path
+
+CASES = Path(__file__).parents[2] / "cases"
+
+
 def line_of(text, start):
     return next(line for line in text.splitlines() if line.startswith(start)).split()
 
@@ -18,12 +23,18 @@ def test_what_is_not_given_is_listed(run, quick):
         "default:",
         "empty",
     ]
-    assert line_of(listed, "  duty.rare_torque")[1:] == [
-        "nothing",
-        "in",
-        "its",
-        "place",
-    ]
+    assert line_of(listed, "  duty.rare_torque")[1:] == ["left", "out"]
+
+
+def test_an_engines_orders_are_worked_out(run):
+    """About 1.6 and 1.4 kN m with 50 degrees between the banks; 45 cancel order 4."""
+    case = str(CASES / "16v280_engine.yaml")
+    out = run("check", case)[1]
+    assert line_of(out, "  driveline.excitation[0].order")[1:] == ["4"]
+    assert 1500 < float(line_of(out, "  driveline.excitation[0].amplitude")[1]) < 1700
+    assert 1300 < float(line_of(out, "  driveline.excitation[1].amplitude")[1]) < 1450
+    cancelled = run("check", case, "--set", "engine.bank_angle=45deg")[1]
+    assert line_of(cancelled, "  driveline.excitation[0].order")[1:] == ["8"]
 
 
 def test_source_and_note(run):
