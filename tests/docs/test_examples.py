@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from coupling_design.commands.app import COMMANDS
+from coupling_design.rollout.compiled.compiler import CompilerError, find_compiler
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -65,6 +66,11 @@ def test_quick_examples_print_what_the_page_says(page):
 @pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
 def test_every_example_prints_what_the_page_says(page):
+    """The pages show the close survey, which only machine code affords."""
+    try:
+        find_compiler()
+    except CompilerError as error:
+        pytest.skip(str(error))
     assert examples.problems(page, slow=True) == []
 
 
