@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from coupling_design.case.case import Plan
 from coupling_design.design.speed_map import CouplingSpeeds, SpeedMap
 from coupling_design.report.html.figure import (
     BLACK,
@@ -47,11 +48,16 @@ def _campbell(speed_map: SpeedMap) -> Figure:
     layout["shapes"] = [_working_range(speed_map)]
     traces = [*_orders(speed_map, speeds)]
     for coupling in _couplings(speed_map):
-        traces += [*_modes(coupling, speeds, top), _critical(coupling)]
+        traces += [
+            *_forbidden(coupling, speed_map),
+            *_modes(coupling, speeds, top),
+            _critical(coupling),
+        ]
     caption = (
         "Excitation orders (grey) against natural frequencies, undamped, gap closed. "
-        "Shaded: working speeds. A circle marks a critical speed far enough from them, "
-        "a cross one that is not."
+        "Shaded: working speeds. Broad along an order: where it is within sqrt 2 of "
+        "the lowest mode, forbidden to that coupling's plan. A circle marks a critical "
+        "speed far enough from them, a cross one that is not."
     )
     return Figure(
         "campbell", "Campbell diagram", caption, _EXACT, _HEIGHT, traces, layout
@@ -59,7 +65,7 @@ def _campbell(speed_map: SpeedMap) -> Figure:
 
 
 def _orders(speed_map: SpeedMap, speeds: Any) -> Iterator[dict[str, Any]]:
-    for order, line in zip(speed_map.orders, speed_map.order_lines, strict=True):
+    for order, line in _lines(speed_map):
         yield {
             "type": "scatter",
             "mode": "lines+text",
@@ -71,6 +77,38 @@ def _orders(speed_map: SpeedMap, speeds: Any) -> Iterator[dict[str, Any]]:
             "showlegend": False,
             "hoverinfo": "skip",
         }
+
+
+def _forbidden(
+    coupling: CouplingSpeeds, speed_map: SpeedMap
+) -> Iterator[dict[str, Any]]:
+    """Yield the part of each order's line that is forbidden to the coupling."""
+    slowest, fastest = (float(speed) for speed in speed_map.speeds)
+    for band in coupling.forbidden_bands:
+        is_soft = band.plan is Plan.ELASTIC
+        ends = (slowest, band.border) if is_soft else (band.border, fastest)
+        inside = [min(max(end, slowest), fastest) for end in ends]
+        if inside[0] == inside[1]:
+            continue
+        yield {
+            "type": "scatter",
+            "mode": "lines",
+            "x": [float(displayed(speed, "rad/s")) for speed in inside],
+            "y": [
+                float(np.interp(speed, speed_map.speeds, line))
+                for speed in inside
+                for order, line in _lines(speed_map)
+                if order == band.order
+            ],
+            "line": {"color": ROLE_COLOURS[coupling.name], "width": 7},
+            "opacity": 0.35,
+            "showlegend": False,
+            "hoverinfo": "skip",
+        }
+
+
+def _lines(speed_map: SpeedMap) -> Iterator[tuple[float, Any]]:
+    yield from zip(speed_map.orders, speed_map.order_lines, strict=True)
 
 
 def _modes(

@@ -1,4 +1,5 @@
 import base64
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -181,3 +182,17 @@ def test_a_short_logarithmic_axis_has_round_ticks(ends, words):
 def test_a_long_logarithmic_axis_has_powers_of_ten():
     assert logarithmic(1e8, 1e12)["dtick"] == 1
     assert logarithmic(1e8, 1e15)["dtick"] == 2
+
+
+def test_the_campbell_diagram_shows_what_is_forbidden(speed_map):
+    """Soft: each order's line from standstill to sqrt 2 above the lowest mode."""
+    campbell = speed_figures(speed_map)[0]
+    broad = [
+        trace for trace in campbell.traces if trace.get("line", {}).get("width") == 7
+    ]
+    bands = speed_map.present.forbidden_bands
+    for band, trace in zip(bands, broad, strict=False):
+        assert trace["x"] == pytest.approx([0.0, band.border * 30 / math.pi])
+        border = band.order * band.border / (2 * math.pi)
+        assert trace["y"] == pytest.approx([0.0, border])
+    assert len(broad) >= len(bands)
