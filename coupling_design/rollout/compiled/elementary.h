@@ -42,13 +42,14 @@ INLINE Real lane_exp(Real x)
     return choose(less(x, lowest), splat(0), y);
 }
 
+/* Beyond this tanh is 1 or -1 to the last bit. */
+INLINE Mask at_end(Real x) { return less(splat(22), magnitude(x)); }
+INLINE Real end_of(Real x) { return with_sign(splat(1), x); }
+
 /* tanh |x| = (1 - E) / (1 + E) with E = exp(-2 |x|), from E - 1 without cancellation. */
 INLINE Real lane_tanh(Real x)
 {
-    Real size = magnitude(x);
-    if (every(less(splat(22), size))) return with_sign(splat(1), x); /* exact there */
-    Real held = smaller(splat(22), size); /* NaN stays */
-    Real u = held * splat(-2);
+    Real u = smaller(splat(22), magnitude(x)) * splat(-2); /* NaN stays */
     Real shifted = fused(u, splat(0x1.71547652b82fep0), splat(ROUNDER));
     Real k = shifted - splat(ROUNDER);
     Real r = fused(k, splat(-LN2_LOW), fused(k, splat(-LN2_HIGH), u));
@@ -56,6 +57,15 @@ INLINE Real lane_tanh(Real x)
     Real scale = real(SHIFT_LEFT(bits(shifted), 52) + SPLAT_BITS(0x3ff0000000000000));
     Real less_one = fused(scale, p, scale - splat(1));
     return with_sign(less_one / (less_one + splat(2)), x);
+}
+
+/* The same: where it mostly is at its end, apart, so that it does not take registers;
+ * and where it mostly is not. */
+static __attribute__((noinline, cold)) Real tanh_within(Real x) { return lane_tanh(x); }
+INLINE Real tanh_of_near(Real x)
+{
+    if (every(at_end(x))) return end_of(x);
+    return lane_tanh(x);
 }
 
 /* x = 2^k m, m in [sqrt(1/2), sqrt(2)); log m = 2 artanh((m - 1) / (m + 1)). */

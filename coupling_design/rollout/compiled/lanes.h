@@ -23,6 +23,12 @@
 #endif
 
 #define INLINE static inline __attribute__((always_inline))
+#define likely(condition) __builtin_expect(condition, 1)
+
+/* Whether two vectors side by side pay: one's waiting is the other's work. */
+#ifndef SIDE_BY_SIDE
+#define SIDE_BY_SIDE 1
+#endif
 
 #if LANES == 1
 typedef double Real;

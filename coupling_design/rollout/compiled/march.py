@@ -68,18 +68,25 @@ class CompiledMarch:
         states after n_steps, shape (n, batch)
         """
         self._check(states, parameters)
-        batch, library = states.shape[1], self._library()
-        lanes = ctypes.c_int.in_dll(library, "march_lanes_count").value
-        states, parameters = _padded(states, lanes), _padded(parameters, lanes)
-        ends = np.empty_like(states)
+        library, batch = self._library(), states.shape[1]
+        threads = threads or os.cpu_count() or 1
+        widest = ctypes.c_int.in_dll(library, "march_width").value
+        width = min(widest, max(-(-batch // threads), 1))
+        ends = np.empty(states.shape)
 
         def block(first: int) -> None:
-            _call(library, self, parameters, states, ends, first)
+            columns = slice(first, first + width)
+            ends[:, columns] = _march_block(
+                library, self, states[:, columns], parameters[:, columns], widest
+            )
 
-        firsts = range(0, states.shape[1], lanes)
-        with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        firsts = range(0, batch, width)
+        if len(firsts) == 1:
+            block(0)
+            return ends
+        with ThreadPoolExecutor(threads) as pool:
             list(pool.map(block, firsts))
-        return ends[:, :batch]
+        return ends
 
     def _check(self, states: FloatArray, parameters: FloatArray) -> None:
         expected = (self.n_states, self.n_parameters)
@@ -119,40 +126,36 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
     return march
 
 
-def _padded(columns: FloatArray, lanes: int) -> FloatArray:
-    """Return whole blocks of columns, row after row, the last column repeated."""
-    missing = -columns.shape[1] % lanes
-    if missing:
-        columns = np.pad(columns, ((0, 0), (0, missing)), mode="edge")
-    return np.ascontiguousarray(columns, dtype=np.float64)
-
-
-def _call(
+def _march_block(
     library: ctypes.CDLL,
     march: CompiledMarch,
-    parameters: FloatArray,
     states: FloatArray,
-    ends: FloatArray,
-    first: int,
-) -> None:
-    """March the block of columns that starts at `first`."""
+    parameters: FloatArray,
+    widest: int,
+) -> FloatArray:
+    """Return the ends of at most `widest` columns."""
+    width = states.shape[1]
+    states, parameters = _padded(states, widest), _padded(parameters, widest)
     constants = np.array(march.kernel.constants, np.float64)
-    library.march_lanes(
-        ctypes.c_int64(march.n_steps),
-        ctypes.c_int64(states.shape[1]),
-        constants.ctypes.data_as(_DOUBLES),
-        *(
-            ctypes.cast(array.ctypes.data + 8 * first, _DOUBLES)
-            for array in (parameters, states, ends)
-        ),
+    ends = np.empty_like(states)
+    library.march(
+        *(ctypes.c_int64(number) for number in (march.n_steps, width, widest)),
+        *(a.ctypes.data_as(_DOUBLES) for a in (constants, parameters, states, ends)),
     )
+    return ends[:, :width]
+
+
+def _padded(columns: FloatArray, width: int) -> FloatArray:
+    """Return as many columns, row after row, the last one repeated."""
+    missing = width - columns.shape[1]
+    padded = np.pad(columns, ((0, 0), (0, missing)), mode="edge")
+    return np.ascontiguousarray(padded, dtype=np.float64)
 
 
 @lru_cache(maxsize=64)
 def _load(source: str, compiler: Compiler) -> ctypes.CDLL:
     headers = [_header("lanes.h"), _header("elementary.h")]
-    count = "const int march_lanes_count = LANES;\n"
-    return load_library("\n".join([*headers, source, count]), compiler)
+    return load_library("\n".join([*headers, source]), compiler)
 
 
 @lru_cache(maxsize=2)

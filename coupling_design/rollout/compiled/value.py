@@ -28,6 +28,7 @@ class Value:
     lower, upper : bounds, unless it is NaN
     is_positive : cannot be zero unless it underflows
     moves : depends on the state, so it changes from step to step
+    is_shared : the same in all lanes, made of constants only
     """
 
     kind: str
@@ -37,6 +38,7 @@ class Value:
     upper: float
     is_positive: bool
     moves: bool
+    is_shared: bool
 
 
 def known_value(
@@ -55,6 +57,7 @@ def known_value(
         upper,
         lower > 0 or _is_positive(kind, args),
         kind == "state" or any(arg.moves for arg in args),
+        kind not in ("state", "parameter") and all(arg.is_shared for arg in args),
     )
 
 

@@ -1,36 +1,61 @@
-"""Writing a graph as C: one function that takes many steps, for any number of lanes."""
+"""Writing a graph as C: functions that take many steps, for any number of lanes."""
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
+from coupling_design.rollout.compiled.expressions import Expressions
 from coupling_design.rollout.compiled.graph import Graph
-from coupling_design.rollout.compiled.value import MASKS, Value
+from coupling_design.rollout.compiled.order import Task, as_written, earliest_first
+from coupling_design.rollout.compiled.parts import Parts, in_parts, used_by
 
-_PATTERNS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "sqrt": "root({0})",
-    "fabs": "magnitude({0})",
-}
-_IN_LANES_HEADER = MASKS | {"choose", "keep"}
+# Two vectors side by side fill each other's waiting, while registers last: on a longer
+# motion than this they do not.
+_LONGEST_MOTION_OF_TWO = 400  # values
 
-_MODERATE = 708  # exp of a number up to this size is neither infinite nor subnormal
+# Steps whose motion is computed before their effects: what is kept of them then stays
+# in the first cache.
+_ROOM, _FEWEST_STEPS, _MOST_STEPS = 3_000, 8, 32  # doubles for each lane
 
 _FUNCTION = """
-void march_lanes(int64_t n_steps, int64_t stride, const double *constants,
-                 const double *parameters, const double *states, double *ends)
+static void {name}(int64_t n_steps, int64_t width, int64_t stride,
+    const double *constants, const double *parameters, const double *states,
+    double *ends)
 {{
+    enum {{ STEPS = {steps}, ROW = (STEPS + 1) * {vectors} * LANES }};
+    double rows[{rows} * ROW];
+    memset(rows, 0, sizeof rows);
 {before}
-    for (int64_t step = 0; step < n_steps; ++step) {{
-{inside}
+    for (int64_t first = 0; first < n_steps; first += STEPS) {{
+        const int64_t steps = n_steps - first < STEPS ? n_steps - first : STEPS;
+        for (int64_t at = 0; at < steps * width; at += width) {{
+{motion}
+        }}
+        for (int64_t at = 0; at < steps * width; at += {vectors} * LANES) {{
+{effects}
+        }}
+        for (int64_t at = 0; at < steps * width; at += width) {{
+{adding}
+        }}
     }}
 {after}
 }}
+"""
+
+_MARCH = """
+/* Marches `width` columns, at most `march_width`. */
+void march(int64_t n_steps, int64_t width, int64_t stride, const double *constants,
+           const double *parameters, const double *states, double *ends)
+{{
+{wider}    march_one(n_steps, width, stride, constants, parameters, states, ends);
+}}
+const int march_width = {width};
+"""
+_WIDER = """    if (SIDE_BY_SIDE && width > LANES) {
+        march_two(n_steps, width, stride, constants, parameters, states, ends);
+        return;
+    }
 """
 
 
@@ -51,113 +76,114 @@ def write_kernel(graph: Graph, outputs: list[int]) -> Kernel:
 
     Values that do not move are computed once, before the first step.
     """
-    writer = _Writer(graph, outputs)
-    before = [f"Real s{i} = load(states + {i} * stride);" for i in range(len(outputs))]
-    inside: list[str] = []
-    for place in writer.order:
-        line = writer.statement(place)
-        if line:
-            (inside if graph[place].moves else before).append(line)
-    inside += [f"s{i} = {writer.name(place)};" for i, place in enumerate(outputs)]
-    after = [f"store(ends + {i} * stride, s{i});" for i in range(len(outputs))]
-    source = _FUNCTION.format(
-        before=_indent(before, 4), inside=_indent(inside, 8), after=_indent(after, 4)
-    )
-    return Kernel(source, writer.constants)
+    parts = in_parts(graph, outputs)
+    writer = _Writer(graph, outputs, parts)
+    source = writer.function("march_one", 1)
+    if len(parts.motion) > _LONGEST_MOTION_OF_TWO:
+        source += _MARCH.format(wider="", width="LANES")
+    else:
+        two = writer.function("march_two", 2)
+        source += f"\n#if SIDE_BY_SIDE{two}#else\n#define march_two march_one\n#endif\n"
+        source += _MARCH.format(wider=_WIDER, width="LANES * (1 + SIDE_BY_SIDE)")
+    return Kernel(source, writer.expressions.constants)
 
 
 class _Writer:
-    def __init__(self, graph: Graph, outputs: list[int]) -> None:
-        self.graph = graph
-        self.order = graph.needed(outputs)
-        self.uses = graph.uses(outputs)
-        self.constants: list[float] = []
-        self._names: dict[int, str] = {}
-        self._fused = self._products_to_fuse()
+    """Writes the loops of a march.
 
-    def name(self, place: int) -> str:
-        """Return how C calls a value."""
-        value = self.graph[place]
-        if value.kind == "constant":
-            return self._constant(value.number)
-        return f"{'m' if value.kind in MASKS else 'v'}{place}"
+    What one loop leaves to the next lies in rows, one for each value, with an entry for
+    each step and column. Their columns lie close together: `width` of them are needed,
+    and a vector that is wider is partly overwritten by the next.
+    """
 
-    def statement(self, place: int) -> str:
-        """Return the C statement that computes a value, or nothing."""
-        value = self.graph[place]
-        if value.kind == "constant" or place in self._fused:
-            return ""
-        kind = "Mask" if value.kind in MASKS else "Real"
-        return f"const {kind} {self.name(place)} = {self._expression(value)};"
+    def __init__(self, graph: Graph, outputs: list[int], parts: Parts) -> None:
+        self.graph, self.outputs, self.parts = graph, outputs, parts
+        self.expressions = Expressions(graph, outputs, parts)
+        added = used_by(graph, parts.adding) | {outputs[i] for i in parts.totals}
+        affecting = used_by(graph, parts.effects)
+        motion, effects = set(parts.motion), set(parts.effects)
+        fixed = {place for place in parts.before if not graph[place].is_shared}
+        self.to_effects = sorted(affecting & (motion | fixed))
+        self.to_adding = sorted(added & (motion | effects))
+        self.from_motion = sorted((affecting & (motion | fixed)) | (added & motion))
+        self.from_effects = sorted(added & effects)
+        kept = [*self.from_motion, *self.from_effects]
+        self.rows = {place: row for row, place in enumerate(kept)}
 
-    def _expression(self, value: Value) -> str:
-        if value.kind == "state":
-            return f"s{int(value.number)}"
-        if value.kind == "parameter":
-            return f"load(parameters + {int(value.number)} * stride)"
-        if value.kind in ("add", "sub"):
-            fused = self._fused_expression(value)
-            if fused:
-                return fused
-        names = [self.name(arg) for arg in value.args]
-        if value.kind in ("fmax", "fmin"):
-            return self._extreme(value, names)
-        if value.kind in _PATTERNS:
-            return _PATTERNS[value.kind].format(*names)
-        if value.kind in ("exp", "log"):
-            return f"{self._variant(value)}({names[0]})"
-        prefix = "" if value.kind in _IN_LANES_HEADER else "lane_"
-        return f"{prefix}{value.kind}({', '.join(names)})"
+    def function(self, name: str, vectors: int) -> str:
+        """Return the function that marches this many vectors side by side."""
+        each = range(vectors)
+        steps = _ROOM // max(len(self.rows), 1) // vectors // 8 * 8
+        n_states = range(len(self.outputs))
+        order = as_written if vectors > 1 else earliest_first
+        return _FUNCTION.format(
+            name=name,
+            vectors=vectors,
+            rows=max(len(self.rows), 1),
+            steps=min(max(steps, _FEWEST_STEPS), _MOST_STEPS),
+            before=_lines(
+                4,
+                self._all(each, n_states, self._load_state),
+                self._tasks(each, as_written(self.graph, self.parts.before)),
+            ),
+            motion=_lines(
+                12,
+                self._tasks(each, order(self.graph, self.parts.motion)),
+                self._all(each, self.from_motion, self._keep),
+                self._all(each, set(n_states) - self.parts.totals, self._next),
+            ),
+            effects=_lines(
+                12,
+                self._all(each, self.to_effects, self._take),
+                self._tasks(each, earliest_first(self.graph, self.parts.effects)),
+                self._all(each, self.from_effects, self._keep),
+            ),
+            adding=_lines(
+                12,
+                self._all(each, self.to_adding, self._take),
+                self._tasks(each, as_written(self.graph, self.parts.adding)),
+                self._all(each, self.parts.totals, self._next),
+            ),
+            after=_lines(4, self._all(each, n_states, self._store_end)),
+        )
 
-    def _variant(self, value: Value) -> str:
-        """Return the function that does for what is known of the argument."""
-        argument = self.graph[value.args[0]]
-        if value.kind == "log":
-            is_normal = argument.lower >= sys.float_info.min
-            return "lane_log_of_normal" if is_normal else "lane_log"
-        is_moderate = argument.lower >= -_MODERATE and argument.upper <= _MODERATE
-        return "lane_exp_of_moderate" if is_moderate else "lane_exp"
+    def _tasks(self, vectors: range, tasks: list[Task]) -> list[str]:
+        return [
+            line
+            for task in tasks
+            for vector in vectors
+            for line in self.expressions.statements(task, vector)
+        ]
 
-    def _extreme(self, value: Value, names: list[str]) -> str:
-        """Return the larger or smaller of two; a constant first, it is never NaN."""
-        if self.graph.is_constant(value.args[1]):
-            names.reverse()
-        elif not self.graph.is_constant(value.args[0]):
-            return f"lane_{value.kind}({', '.join(names)})"
-        return f"{'larger' if value.kind == 'fmax' else 'smaller'}({', '.join(names)})"
+    def _all(
+        self, vectors: range, numbers: Iterable[int], write: Callable[[int, int], str]
+    ) -> list[str]:
+        return [write(n, vector) for n in sorted(numbers) for vector in vectors]
 
-    def _products_to_fuse(self) -> dict[int, int]:
-        """Return the products used once, in a sum, and the sum they are used in."""
-        fused: dict[int, int] = {}
-        for place in self.order:
-            value = self.graph[place]
-            if value.kind in ("add", "sub"):
-                for arg in sorted(value.args, reverse=True):
-                    product = self.graph[arg]
-                    once = self.uses[arg] == 1 and product.moves
-                    if product.kind == "mul" and once:
-                        fused[arg] = place
-                        break
-        return fused
+    def _load_state(self, i: int, vector: int) -> str:
+        state = f"s{i}{'ab'[vector]}"
+        return f"Real {state} = load(states + {i} * stride + {vector} * LANES);"
 
-    def _fused_expression(self, value: Value) -> str:
-        left, right = value.args
-        minus = "-" if value.kind == "sub" else ""
-        if left in self._fused and left != right:
-            a, b = (self.name(arg) for arg in self.graph[left].args)
-            return f"fused({a}, {b}, {minus}{self.name(right)})"
-        if right in self._fused and left != right:
-            a, b = (self.name(arg) for arg in self.graph[right].args)
-            return f"fused({minus}{a}, {b}, {self.name(left)})"
-        return ""
+    def _store_end(self, i: int, vector: int) -> str:
+        state = f"s{i}{'ab'[vector]}"
+        return f"store(ends + {i} * stride + {vector} * LANES, {state});"
 
-    def _constant(self, number: float) -> str:
-        if number in (0.0, 1.0, -1.0, 2.0, 0.5):
-            return f"splat({number})"
-        if number not in self.constants:
-            self.constants.append(number)
-        return f"splat(constants[{self.constants.index(number)}])"
+    def _keep(self, place: int, vector: int) -> str:
+        return f"store({self._row(place, vector)}, {self._name(place, vector)});"
+
+    def _take(self, place: int, vector: int) -> str:
+        name, row = self._name(place, vector), self._row(place, vector)
+        return f"const Real {name} = load({row});"
+
+    def _next(self, i: int, vector: int) -> str:
+        return f"s{i}{'ab'[vector]} = {self._name(self.outputs[i], vector)};"
+
+    def _name(self, place: int, vector: int) -> str:
+        return self.expressions.name(place, vector)
+
+    def _row(self, place: int, vector: int) -> str:
+        return f"rows + {self.rows[place]} * ROW + at + {vector} * LANES"
 
 
-def _indent(lines: list[str], by: int) -> str:
-    return "\n".join(" " * by + line for line in lines)
+def _lines(indent: int, *groups: list[str]) -> str:
+    return "\n".join(" " * indent + line for lines in groups for line in lines)

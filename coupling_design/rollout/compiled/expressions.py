@@ -1,0 +1,132 @@
+"""A graph's values as C expressions."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+
+from coupling_design.rollout.compiled.graph import Graph
+from coupling_design.rollout.compiled.order import Task
+from coupling_design.rollout.compiled.parts import Parts
+from coupling_design.rollout.compiled.saturation import group_statements, grouped
+from coupling_design.rollout.compiled.value import MASKS, Value
+
+_PATTERNS = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "div": "{0} / {1}",
+    "neg": "-{0}",
+    "sqrt": "root({0})",
+    "fabs": "magnitude({0})",
+}
+_IN_LANES_HEADER = MASKS | {"choose", "keep"}
+
+_MODERATE = 708  # exp of a number up to this size is neither infinite nor subnormal
+
+
+class Expressions:
+    """C of each value, for one of the vectors that go side by side.
+
+    Numbers are no part of it: they are called by their place in `constants`.
+    """
+
+    def __init__(self, graph: Graph, outputs: list[int], parts: Parts) -> None:
+        self.graph = graph
+        self.constants: list[float] = []
+        self._fused = _products_to_fuse(graph, outputs, parts)
+
+    def name(self, place: int, vector: int) -> str:
+        """Return how C calls a value."""
+        value = self.graph[place]
+        if value.kind == "constant":
+            return self._constant(value.number)
+        return f"{'m' if value.kind in MASKS else 'v'}{place}{'ab'[vector]}"
+
+    def statements(self, task: Task, vector: int) -> list[str]:
+        """Return the C statements that compute a value, or a group of tangents."""
+
+        def name(place: int) -> str:
+            return self.name(place, vector)
+
+        value = self.graph[task[0]]
+        if value.kind == "tanh":
+            return group_statements(self.graph, grouped(self.graph, task), name)
+        if value.kind == "constant" or task[0] in self._fused:
+            return []
+        kind = "Mask" if value.kind in MASKS else "Real"
+        return [f"const {kind} {name(task[0])} = {self._expression(value, vector)};"]
+
+    def _expression(self, value: Value, vector: int) -> str:
+        if value.kind == "state":
+            return f"s{int(value.number)}{'ab'[vector]}"
+        if value.kind == "parameter":
+            row = f"parameters + {int(value.number)} * stride"
+            return f"load({row} + {vector} * LANES)"
+
+        def name(place: int) -> str:
+            return self.name(place, vector)
+
+        if value.kind in ("add", "sub"):
+            fused = self._fused_expression(value, name)
+            if fused:
+                return fused
+        names = [name(arg) for arg in value.args]
+        if value.kind in ("fmax", "fmin"):
+            return self._extreme(value, names)
+        if value.kind in _PATTERNS:
+            return _PATTERNS[value.kind].format(*names)
+        if value.kind in ("exp", "log"):
+            return f"{self._variant(value)}({names[0]})"
+        prefix = "" if value.kind in _IN_LANES_HEADER else "lane_"
+        return f"{prefix}{value.kind}({', '.join(names)})"
+
+    def _variant(self, value: Value) -> str:
+        """Return the function that does for what is known of the argument."""
+        argument = self.graph[value.args[0]]
+        if value.kind == "log":
+            is_normal = argument.lower >= sys.float_info.min
+            return "lane_log_of_normal" if is_normal else "lane_log"
+        is_moderate = argument.lower >= -_MODERATE and argument.upper <= _MODERATE
+        return "lane_exp_of_moderate" if is_moderate else "lane_exp"
+
+    def _extreme(self, value: Value, names: list[str]) -> str:
+        """Return the larger or smaller of two; a constant first, it is never NaN."""
+        if self.graph.is_constant(value.args[1]):
+            names.reverse()
+        elif not self.graph.is_constant(value.args[0]):
+            return f"lane_{value.kind}({', '.join(names)})"
+        return f"{'larger' if value.kind == 'fmax' else 'smaller'}({', '.join(names)})"
+
+    def _fused_expression(self, value: Value, name: Callable[[int], str]) -> str:
+        left, right = value.args
+        minus = "-" if value.kind == "sub" else ""
+        if left in self._fused and left != right:
+            a, b = (name(arg) for arg in self.graph[left].args)
+            return f"fused({a}, {b}, {minus}{name(right)})"
+        if right in self._fused and left != right:
+            a, b = (name(arg) for arg in self.graph[right].args)
+            return f"fused({minus}{a}, {b}, {name(left)})"
+        return ""
+
+    def _constant(self, number: float) -> str:
+        if number in (0.0, 1.0, -1.0, 2.0, 0.5):
+            return f"splat({number})"
+        if number not in self.constants:
+            self.constants.append(number)
+        return f"splat(constants[{self.constants.index(number)}])"
+
+
+def _products_to_fuse(graph: Graph, outputs: list[int], parts: Parts) -> set[int]:
+    """Return the products used once, in a sum of their own part."""
+    uses, fused = graph.uses(outputs), set()
+    for part in (parts.motion, parts.effects, parts.adding):
+        members = set(part)
+        for place in part:
+            if graph[place].kind not in ("add", "sub"):
+                continue
+            for arg in sorted(graph[place].args, reverse=True):
+                if arg in members and graph[arg].kind == "mul" and uses[arg] == 1:
+                    fused.add(arg)
+                    break
+    return fused
