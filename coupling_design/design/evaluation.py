@@ -35,14 +35,23 @@ _REMEMBERED = 64
 class Evaluator:
     """Rollouts of one candidate of a case, with exact gradients.
 
-    Everything symbolic is built at first use. `refinement` divides the time step.
+    Everything symbolic is built at first use. `refinement` divides the time step,
+    `coarsening` multiplies it: the latter must divide the number of steps.
     """
 
-    def __init__(self, case: Case, candidate: Candidate, refinement: int = 1) -> None:
+    def __init__(
+        self,
+        case: Case,
+        candidate: Candidate,
+        refinement: int = 1,
+        coarsening: int = 1,
+    ) -> None:
         self.case = case
         self.candidate = candidate
         self.refinement = refinement
+        self.coarsening = coarsening
         self.rollouts = 0
+        self._coarser: dict[int, Evaluator] = {}
         self._known: dict[tuple[float, float], tuple[FloatArray, FloatArray]] = {}
 
     def driveline(self, torsional_stiffness: Scalar, key_gap: Scalar) -> Driveline:
@@ -71,7 +80,7 @@ class Evaluator:
     ) -> tuple[Performance, ...]:
         """Return the performances at many points, in their order."""
         columns = np.asarray(points, dtype=np.float64).T
-        starts = np.hstack([np.asarray(self._start(point)[0]) for point in columns.T])
+        starts = np.asarray(self._start(columns)[0])
         starts[0] += start_offset
         self.rollouts += len(points)
         ends = self._march(starts, columns)[-len(TOTALS) :]
@@ -119,6 +128,19 @@ class Evaluator:
         """The same rollouts with half the time step."""
         return Evaluator(self.case, self.candidate, 2 * self.refinement)
 
+    def coarser(self, coarsening: int) -> Evaluator:
+        """Return the same rollouts with a time step this many times longer."""
+        if coarsening not in self._coarser:
+            self._coarser[coarsening] = Evaluator(
+                self.case, self.candidate, coarsening=coarsening
+            )
+        return self._coarser[coarsening]
+
+    @property
+    def coarse_rollouts(self) -> int:
+        """How many rollouts the coarser ones have made."""
+        return sum(evaluator.rollouts for evaluator in self._coarser.values())
+
     @property
     def is_compiled(self) -> bool:
         """Whether the rollouts run as machine code."""
@@ -157,18 +179,19 @@ class Evaluator:
         return (
             f"{self.case.file}: the run-down of {self.candidate.label} at "
             f"{torsional_stiffness:.6g} N*m/rad and a gap of {key_gap * 1e3:.4g} mm "
-            f"left finite numbers by {steps * self._time_step:.4g} s, with a step of "
-            f"{self._time_step:.3g} s. Take a smaller shutdown.time_step, or a softer "
+            f"left finite numbers by {steps * self.time_step:.4g} s, with a step of "
+            f"{self.time_step:.3g} s. Take a smaller shutdown.time_step, or a softer "
             "contact."
         )
 
     @property
-    def _time_step(self) -> float:
-        return self.case.shutdown.time_step / self.refinement
+    def time_step(self) -> float:
+        """The time step [s]."""
+        return self.case.shutdown.time_step * self.coarsening / self.refinement
 
     @property
     def _n_steps(self) -> int:
-        return self.case.shutdown.n_steps * self.refinement
+        return self.case.shutdown.n_steps * self.refinement // self.coarsening
 
     @cached_property
     def _start(self) -> ca.Function:
@@ -180,7 +203,7 @@ class Evaluator:
     def _step(self) -> ca.Function:
         point = ca.SX.sym("point", 2)
         driveline = self.driveline(*ca.vertsplit(point))
-        return joint_step(driveline, self.case, self._time_step, point)
+        return joint_step(driveline, self.case, self.time_step, point)
 
     @cached_property
     def _march(self) -> Marcher:

@@ -95,6 +95,7 @@ def run_design(
         chosen_map=mapped,
         engine=bench.engine,
         rollouts=bench.rollouts,
+        coarse_rollouts=bench.coarse_rollouts,
         run_time=time.perf_counter() - began,
         catalogue_choice=choice,
     )

@@ -85,10 +85,30 @@ class Alternative:
 
 
 @dataclass(frozen=True)
+class CoarseStep:
+    """A time step longer than the case's own, and how far it is off.
+
+    Attributes
+    ----------
+    times : how many times longer
+    time_step : [s]
+    checked : points that were rolled out with both
+    damage_error, peak_error : largest relative differences between the two
+    """
+
+    times: int
+    time_step: float
+    checked: int
+    damage_error: float
+    peak_error: float
+
+
+@dataclass(frozen=True)
 class DesignMap:
     """Damage [-] and peak force [N] over stiffness [N m/rad] and gap [m].
 
-    The two have a row for each gap, with an entry for each stiffness.
+    The two have a row for each gap, with an entry for each stiffness. `coarse` is the
+    time step of all rows but the first and the last, None where it is the case's own.
     """
 
     name: str
@@ -96,6 +116,7 @@ class DesignMap:
     key_gap: tuple[float, ...]
     damage: tuple[tuple[float, ...], ...]
     peak_transmission_force: tuple[tuple[float, ...], ...]
+    coarse: CoarseStep | None = None
 
 
 @dataclass(frozen=True)
@@ -186,8 +207,9 @@ class DesignOutcome:
 
     `chosen` is None when no design meets the limits; `nearest` then names the
     candidate that came nearest and `nearest_criteria` how near. `engine` says what
-    did the `rollouts`. For figures: `histories`, the present run-down first, and
-    `chosen_map`, the plane of the chosen coupling where no step has it.
+    did the `rollouts`, and `coarse_rollouts` at a longer step for maps. For figures:
+    `histories`, the present run-down first, and `chosen_map`, the plane of the chosen
+    coupling where no step has it.
     """
 
     case: Case
@@ -201,6 +223,7 @@ class DesignOutcome:
     engine: str
     rollouts: int
     run_time: float
+    coarse_rollouts: int = 0
     catalogue_choice: CatalogueChoice | None = None
     histories: tuple[RundownHistory, ...] = field(default=(), compare=False, repr=False)
     chosen_map: DesignMap | None = None

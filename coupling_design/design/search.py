@@ -60,8 +60,13 @@ class Workbench:
 
     @property
     def rollouts(self) -> int:
-        """How many run-downs have been rolled out, at the paper's step."""
+        """How many run-downs have been rolled out, at the case's own step."""
         return sum(evaluator.rollouts for evaluator in self._evaluators.values())
+
+    @property
+    def coarse_rollouts(self) -> int:
+        """How many more were at a longer step, for maps only."""
+        return sum(evaluator.coarse_rollouts for evaluator in self._evaluators.values())
 
     @property
     def is_compiled(self) -> bool:

@@ -1,29 +1,50 @@
-"""The whole stiffness x gap plane of a candidate, rolled out before any optimiser."""
+"""The whole stiffness x gap plane of a candidate, rolled out before any optimiser.
+
+The rows at the smallest and the largest gap, from which a step goes on, have the case's
+own time step. Those between may have a longer one, whose error is measured.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.problem import DesignProblem
 from coupling_design.design.reach import reachable_stiffness
-from coupling_design.design.results import DesignMap, Performance
+from coupling_design.design.results import CoarseStep, DesignMap, Performance
 from coupling_design.design.scan import grid
 from coupling_design.design.search import Workbench
+from coupling_design.design.stability import stable_step
+from coupling_design.errors import SimulationError
+
+# Steps this many times longer are tried, the longest first; and how far damage and
+# peak may be off, relative: a tenth of what a map's third digit shows.
+_COARSENINGS = (4, 2)
+_GOOD_ENOUGH = 1e-3
+# Of each checked row, every so manieth stiffness is rolled out both ways.
+_CHECKED_EVERY = 4
+
+Row = tuple[Performance, ...]
 
 
 @dataclass(frozen=True)
 class Survey:
-    """Performances over stiffness, row by row from the smallest gap to the largest."""
+    """Performances over stiffness, row by row from the smallest gap to the largest.
 
-    rows: tuple[tuple[Performance, ...], ...]
+    `coarse` says which step the rows between have, None where it is the case's own.
+    """
+
+    rows: tuple[Row, ...]
+    coarse: CoarseStep | None = None
 
     @property
-    def smallest_gap(self) -> tuple[Performance, ...]:
+    def smallest_gap(self) -> Row:
         """The scan over stiffness at the smallest gap."""
         return self.rows[0]
 
     @property
-    def largest_gap(self) -> tuple[Performance, ...]:
+    def largest_gap(self) -> Row:
         """The scan over stiffness at the largest gap."""
         return self.rows[-1]
 
@@ -38,6 +59,7 @@ class Survey:
                 tuple(float(p.peak_transmission_force) for p in row)
                 for row in self.rows
             ),
+            coarse=self.coarse,
         )
 
 
@@ -51,6 +73,68 @@ def survey(bench: Workbench, program: DesignProblem) -> Survey:
     bench.progress(
         f"mapping {evaluator.candidate.label}, {len(points)} stiffnesses and gaps"
     )
-    found = evaluator.performances(points)
     n = effort.stiffnesses if narrowed.stiffness[1] > narrowed.stiffness[0] else 1
-    return Survey(tuple(found[i : i + n] for i in range(0, len(found), n)))
+    rows = [points[i : i + n] for i in range(0, len(points), n)]
+    return _rolled_out(evaluator, rows)
+
+
+def _rolled_out(
+    evaluator: Evaluator, rows: list[tuple[tuple[float, float], ...]]
+) -> Survey:
+    """Return the survey of a grid, its outer rows at the case's own step."""
+    between = [point for row in rows[1:-1] for point in row]
+    outer = [*rows[0], *rows[-1]] if len(rows) > 1 else [*rows[0]]
+    if not between:
+        return _survey(evaluator.performances(outer), len(rows[0]))
+    sample = rows[len(rows) // 2][::_CHECKED_EVERY]
+    exact = evaluator.performances([*outer, *sample])
+    checked = [*exact[: len(outer) : _CHECKED_EVERY], *exact[len(outer) :]]
+    coarse = _longest_good_step(evaluator, checked)
+    if coarse is None:
+        inner = evaluator.performances(between)
+    else:
+        inner = evaluator.coarser(coarse.times).performances(between)
+    n = len(rows[0])
+    return _survey((*exact[:n], *inner, *exact[n : len(outer)]), n, coarse)
+
+
+def _survey(
+    found: tuple[Performance, ...], n: int, coarse: CoarseStep | None = None
+) -> Survey:
+    return Survey(tuple(found[i : i + n] for i in range(0, len(found), n)), coarse)
+
+
+def _longest_good_step(
+    evaluator: Evaluator, exact: Sequence[Performance]
+) -> CoarseStep | None:
+    """Return the longest step that does for a map, None if only the case's own does."""
+    case, candidate = evaluator.case, evaluator.candidate
+    largest = stable_step(case, candidate)
+    for times in _COARSENINGS:
+        is_whole = case.shutdown.n_steps % times == 0
+        if not is_whole or times * case.shutdown.time_step > largest:
+            continue
+        tried = _tried(evaluator.coarser(times), exact)
+        if tried and max(tried.damage_error, tried.peak_error) <= _GOOD_ENOUGH:
+            return tried
+    return None
+
+
+def _tried(coarser: Evaluator, exact: Sequence[Performance]) -> CoarseStep | None:
+    """Return how far a longer step is off, None if a run-down diverges."""
+    points = [(p.torsional_stiffness, p.key_gap) for p in exact]
+    try:
+        found = coarser.performances(points)
+    except SimulationError:
+        return None
+    pairs = list(zip(found, exact, strict=True))
+    return CoarseStep(
+        times=coarser.coarsening,
+        time_step=coarser.time_step,
+        checked=len(exact),
+        damage_error=max(abs(a.damage / b.damage - 1) for a, b in pairs),
+        peak_error=max(
+            abs(a.peak_transmission_force / b.peak_transmission_force - 1)
+            for a, b in pairs
+        ),
+    )

@@ -93,6 +93,7 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
         "assumptions": [asdict(value) for value in outcome.assumptions],
         "engine": outcome.engine,
         "rollouts": outcome.rollouts,
+        "coarse_rollouts": outcome.coarse_rollouts,
         "run_time_s": outcome.run_time,
     }
 
@@ -174,6 +175,7 @@ def _map(map_: DesignMap) -> dict[str, Any]:
         "key_gap": list(map_.key_gap),
         "damage": [list(row) for row in map_.damage],
         "peak_transmission_force": [list(row) for row in map_.peak_transmission_force],
+        "coarse": None if map_.coarse is None else asdict(map_.coarse),
     }
 
 

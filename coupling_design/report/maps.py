@@ -31,7 +31,22 @@ def render_map(map_: DesignMap) -> Group:
             Text(),
             Text("peak F_c [kN]"),
             _grid(map_, map_.peak_transmission_force, rows, columns, _force),
+            Text(),
+            Text(time_step_note(map_)),
         ),
+    )
+
+
+def time_step_note(map_: DesignMap) -> str:
+    """Return in words which time step a map was rolled out with, and its error."""
+    coarse = map_.coarse
+    if coarse is None:
+        return "All at the case's own time step."
+    return (
+        f"Between the first and the last gap the time step is {coarse.time_step:.3g} "
+        f"s, {coarse.times} times the case's own. At {coarse.checked} points rolled "
+        f"out with both, damage differs by at most {coarse.damage_error * 100:.1g} %, "
+        f"peak F_c by at most {coarse.peak_error * 100:.1g} %. No decision rests on it."
     )
 
 

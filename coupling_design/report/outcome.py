@@ -16,6 +16,7 @@ from coupling_design.report.designs import (
     render_nearest,
 )
 from coupling_design.report.discrete import render_catalogue
+from coupling_design.report.effort import effort_sentence
 from coupling_design.report.header import render_header
 from coupling_design.report.steps import render_step
 from coupling_design.report.summary import render_strict_reading, render_summary
@@ -44,7 +45,4 @@ def _parts(outcome: DesignOutcome) -> Iterable[RenderableType]:
     yield render_assumptions(outcome.case, outcome.assumptions)
     yield render_validity(outcome)
     yield titled("Result", render_verdict(outcome))
-    yield Text(
-        f"Run time {outcome.run_time:.1f} s, {outcome.rollouts} run-downs on "
-        f"{outcome.engine}."
-    )
+    yield Text(effort_sentence(outcome))

@@ -1,8 +1,11 @@
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from coupling_design.design.constraints import isolation_constraints
 from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.search import problem
+from coupling_design.design.search import CLOSE, problem
 from coupling_design.design.survey import survey
 
 
@@ -43,3 +46,64 @@ def test_the_map_holds_the_survey(surveyed):
     assert drawn.peak_transmission_force[0][2] == (
         plane.rows[0][2].peak_transmission_force
     )
+
+
+SMOOTH = DesignSpace((2e4, 4e4), (0.0, 1e-4))
+
+
+def mapped(quick, bench, candidate, time_step, space=SMOOTH):
+    """Return the case's program and its survey of 8 stiffnesses at 5 gaps."""
+    shutdown = replace(quick.shutdown, time_step=time_step)
+    case = replace(quick, shutdown=shutdown)
+    workbench = bench(case)
+    workbench.effort = replace(CLOSE, stiffnesses=8, survey_gaps=5)
+    program = problem(
+        workbench, candidate(case, "rubber", "key"), space, Objective.DAMAGE, ()
+    )
+    return workbench, program, survey(workbench, program)
+
+
+def test_rows_between_have_a_longer_step_that_is_good_enough(quick, bench, candidate):
+    fine = quick.shutdown.time_step / 16
+    workbench, program, plane = mapped(quick, bench, candidate, fine)
+    coarse = plane.coarse
+    assert coarse.times == 4
+    assert coarse.time_step == pytest.approx(4 * fine)
+    assert coarse.checked == 6
+    assert 0 < coarse.damage_error <= 1e-3
+    assert 0 < coarse.peak_error <= 1e-3
+    assert workbench.coarse_rollouts == 3 * 8 + coarse.checked
+    inner = plane.rows[1][3]
+    exact = program.evaluator.performance(inner.torsional_stiffness, inner.key_gap)
+    assert inner.damage == pytest.approx(exact.damage, rel=2e-3)
+    assert inner.damage != exact.damage
+
+
+def test_outer_rows_have_the_cases_own_step(quick, bench, candidate):
+    _, program, plane = mapped(quick, bench, candidate, quick.shutdown.time_step / 8)
+    for row in (plane.smallest_gap, plane.largest_gap):
+        points = [(p.torsional_stiffness, p.key_gap) for p in row]
+        exact = program.evaluator.performances(points)
+        np.testing.assert_array_equal(
+            [p.damage for p in row], [p.damage for p in exact]
+        )
+
+
+def test_a_longer_step_that_is_too_far_off_is_not_taken(
+    quick, bench, candidate, monkeypatch
+):
+    monkeypatch.setattr("coupling_design.design.survey._GOOD_ENOUGH", 1e-15)
+    fine = quick.shutdown.time_step / 8
+    _, program, plane = mapped(quick, bench, candidate, fine)
+    assert plane.coarse is None
+    inner = plane.rows[2][5]
+    assert inner == program.evaluator.performance(
+        inner.torsional_stiffness, inner.key_gap
+    )
+
+
+def test_an_unstable_step_is_not_tried(quick, bench, candidate, monkeypatch):
+    monkeypatch.setattr("coupling_design.design.survey.stable_step", lambda *_: 0.0)
+    workbench, _, plane = mapped(quick, bench, candidate, quick.shutdown.time_step / 8)
+    assert plane.coarse is None
+    assert workbench.coarse_rollouts == 0

@@ -25,7 +25,8 @@ def test_top_level(document):
     assert list(document) == [
         "schema_version", "units", "case", "software", "inputs", "reading", "baseline",
         "steps", "chosen", "nearest", "nearest_criteria", "strict_reading",
-        "catalogue_choice", "assumptions", "engine", "rollouts", "run_time_s",
+        "catalogue_choice", "assumptions", "engine", "rollouts",
+        "coarse_rollouts", "run_time_s",
     ]  # fmt: skip
     assert document["schema_version"] == 1
     assert document["case"]["file"] == "cases/16v280.yaml"

@@ -20,6 +20,7 @@ from coupling_design.report.discrete import (
     describe_price,
     tried_sizes,
 )
+from coupling_design.report.effort import effort_sentence
 from coupling_design.report.header import asked, identity
 from coupling_design.report.html.comparison_figure import comparison_figure
 from coupling_design.report.html.figure import Figure
@@ -92,6 +93,7 @@ def _content(outcome: DesignOutcome, speed_map: SpeedMap | None) -> dict[str, An
     return {
         "case": case,
         "outcome": outcome,
+        "effort": effort_sentence(outcome),
         "answer": [sentence.plain for sentence in answer(outcome)],
         "summary": criteria_table(criteria) if criteria else None,
         "identity": list(identity(case)),

@@ -28,6 +28,7 @@ from coupling_design.report.html.stiffness_span import (
     stiffness_axis,
 )
 from coupling_design.report.html.typography import typeset
+from coupling_design.report.maps import time_step_note
 from coupling_design.report.units import displayed
 
 _STIFFNESS = "C_Tdyn [MN*m/rad]"
@@ -132,7 +133,8 @@ def _over_plane(
     said = f"{len(map_.torsional_stiffness)} stiffnesses at {len(map_.key_gap)} gaps."
     note = (
         "Every cell is one run-down, nothing between is smoothed. Lines mark where "
-        "peak F_c meets a limit; a limit without a line is met everywhere or nowhere."
+        "peak F_c meets a limit; a limit without a line is met everywhere or nowhere. "
+        f"{time_step_note(map_)}"
     )
     caption = _CAPTION.format(points=said)
     height = 2 * _PANEL
