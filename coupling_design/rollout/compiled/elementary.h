@@ -132,6 +132,30 @@ INLINE Real lane_cos(Real x)
     return sin_reduced(x, k, SHIFT_LEFT(~bits(shifted), 63));
 }
 
+/* Sine and cosine together. */
+typedef struct { Real sine, cosine; } Wave;
+INLINE Wave lane_wave(Real x) { return (Wave){lane_sin(x), lane_cos(x)}; }
+static __attribute__((noinline, cold)) Wave wave_anew(Real x) { return lane_wave(x); }
+
+/* Sine and cosine of x, from those of x - d: by short series for a small d, whose first
+ * terms left out are below 1e-17, anew for others. */
+INLINE Wave lane_turned(Real s, Real c, Real d, Real x)
+{
+    Real z = d * d;
+    Real a = fused(z, splat(-1.0 / 5040), splat(1.0 / 120));
+    Real b = fused(z, splat(1.0 / 40320), splat(-1.0 / 720));
+    Real sine = fused(d * z, fused(z, a, splat(-1.0 / 6)), d);
+    Real versed = z * fused(z, fused(z, b, splat(1.0 / 24)), splat(-0.5)); /* cos d - 1 */
+    Wave w = {
+        s + fused(c, sine, s * versed),
+        c + fused(-s, sine, c * versed),
+    };
+    Mask is_small = less(magnitude(d), splat(1.0 / 16));
+    if (likely(every(is_small))) return w;
+    Wave anew = wave_anew(x);
+    return (Wave){choose(is_small, w.sine, anew.sine), choose(is_small, w.cosine, anew.cosine)};
+}
+
 /* Relative error about 1e-16 |y log x|: good where the result is of moderate size. */
 INLINE Real lane_pow(Real x, Real y)
 {

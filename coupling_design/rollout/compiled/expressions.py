@@ -19,7 +19,10 @@ _PATTERNS = {
     "neg": "-{0}",
     "sqrt": "root({0})",
     "fabs": "magnitude({0})",
+    "sine": "{0}.sine",
+    "cosine": "{0}.cosine",
 }
+_PAIRS = frozenset({"wave", "turned"})
 _IN_LANES_HEADER = MASKS | {"choose", "keep"}
 
 _MODERATE = 708  # exp of a number up to this size is neither infinite nor subnormal
@@ -55,6 +58,7 @@ class Expressions:
         if value.kind == "constant" or task[0] in self._fused:
             return []
         kind = "Mask" if value.kind in MASKS else "Real"
+        kind = "Wave" if value.kind in _PAIRS else kind
         return [f"const {kind} {name(task[0])} = {self._expression(value, vector)};"]
 
     def _expression(self, value: Value, vector: int) -> str:

@@ -22,6 +22,7 @@ from coupling_design.rollout.compiled.compiler import (
     CompilerError,
     find_compiler,
 )
+from coupling_design.rollout.compiled.harmonics import share_harmonics
 from coupling_design.rollout.compiled.products import gather_products
 from coupling_design.rollout.compiled.reading import UnknownOperationError, read_step
 from coupling_design.rollout.compiled.store import load_library
@@ -116,7 +117,8 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
         raise ValueError(f"a march needs at least one step, not {n_steps}")
     try:
         compiler = find_compiler()
-        kernel = write_kernel(*gather_products(*read_step(step)))
+        graph, outputs = gather_products(*read_step(step))
+        kernel = write_kernel(*share_harmonics(graph, outputs))
         march = CompiledMarch(
             kernel, compiler, step.size1_in(0), step.size1_in(1), n_steps
         )

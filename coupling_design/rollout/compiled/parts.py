@@ -40,6 +40,9 @@ def in_parts(graph: Graph, outputs: list[int]) -> Parts:
     adds = sum(1 << state for state in totals)
     moved = [place for state, place in enumerate(outputs) if state not in totals]
     motion, needed = set(graph.needed(moved)), graph.needed(outputs)
+    # Both halves of a pair stay together: only numbers go from part to part.
+    halves = [place for place in needed if graph[place].kind in ("sine", "cosine")]
+    motion |= {place for place in halves if graph[place].args[0] in motion}
     moving = [place for place in needed if graph[place].moves]
     adding = {place for place in moving if acting[place] & adds}
     return Parts(

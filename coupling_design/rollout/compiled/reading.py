@@ -81,7 +81,7 @@ def _operate(algebra: Algebra, operation: int, args: list[int]) -> int:
     if operation == ca.OP_SQ:
         return algebra.apply("mul", args[0], args[0])
     if operation == ca.OP_TWICE:
-        return algebra.apply("add", args[0], args[0])
+        return algebra.apply("mul", graph.constant(2.0), args[0])
     if operation == ca.OP_INV:
         return algebra.apply("div", graph.constant(1.0), args[0])
     if operation == ca.OP_LOG:
