@@ -14,7 +14,6 @@ from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.recorded import recorded_rundown
 from coupling_design.design.results import Baseline, Performance, Rundown
 from coupling_design.design.search import Workbench
 from coupling_design.design.state import connection_option
@@ -53,10 +52,8 @@ def evaluate_baseline(bench: Workbench) -> Baseline:
 def rundown(evaluator: Evaluator, performance: Performance) -> Rundown:
     """Return how the run-down of one design point went, from its history."""
     case = evaluator.case
-    driveline = evaluator.driveline(
-        performance.torsional_stiffness, performance.key_gap
-    )
-    history = recorded_rundown(driveline, case.shutdown)
+    driveline = case.driveline
+    history = evaluator.history(performance.torsional_stiffness, performance.key_gap)
     swing = largest_swing(history, 2 * math.pi * performance.natural_frequency)
     ratio = unclamped_viscosity_ratio(
         case.lubrication.viscosity, history.generator_speed, case.bearings[0]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import casadi as ca
@@ -17,6 +18,7 @@ from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.joint import TOTALS, joint_start, joint_step
 from coupling_design.design.results import Performance
+from coupling_design.driveline.history import History, history_of
 from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
 from coupling_design.errors import SimulationError
@@ -30,6 +32,7 @@ from coupling_design.rollout.sensitivities import (
 
 # A solver asks about a point at most a few times in a row.
 _REMEMBERED = 64
+_HISTORIES = 2
 
 
 class Evaluator:
@@ -52,6 +55,7 @@ class Evaluator:
         self.coarsening = coarsening
         self.rollouts = 0
         self._coarser: dict[int, Evaluator] = {}
+        self._histories: dict[tuple[float, float], History] = {}
         self._known: dict[tuple[float, float], tuple[FloatArray, FloatArray]] = {}
 
     def driveline(self, torsional_stiffness: Scalar, key_gap: Scalar) -> Driveline:
@@ -90,6 +94,24 @@ class Evaluator:
             self.read(*point, totals.tolist())
             for point, totals in zip(points, ends.T, strict=True)
         )
+
+    def history(self, torsional_stiffness: float, key_gap: float) -> History:
+        """Return the run-down at a point in full; the last two asked for are kept.
+
+        Raises SimulationError where the rollout leaves finite numbers.
+        """
+        point = (torsional_stiffness, key_gap)
+        if point not in self._histories:
+            if len(self._histories) >= _HISTORIES:
+                self._histories.clear()
+            column = np.asarray(point, dtype=np.float64)[:, np.newaxis]
+            start = np.asarray(self._start(column)[0])
+            states = self._march.record(start, column)[: -len(TOTALS)]
+            shutdown = replace(self.case.shutdown, time_step=self.time_step)
+            self._histories[point] = history_of(
+                self.driveline(*point), shutdown, states
+            )
+        return self._histories[point]
 
     def outline(self, torsional_stiffness: float, key_gap: float = 0.0) -> Performance:
         """Return a performance that is known without a rollout, its loads left zero."""

@@ -136,19 +136,26 @@ def _histories(
 ) -> tuple[RundownHistory, ...]:
     """Return the present run-down, and the chosen or the nearest one beside it."""
     state.bench.progress("histories for the figures")
-    case, shown = state.case, chosen or nearest
-    present = rundown_history(
-        case, present_candidate(case), state.baseline.performance, "present"
-    )
-    if shown is None:
-        return (present,)
+    case = state.case
+    before = state.baseline.performance
+    present = _history(state, present_candidate(case), before, "present")
     if chosen and state.solution:
         candidate = state.solution.candidate
-        return present, rundown_history(case, candidate, shown.performance, "chosen")
-    kind = next(t for t in case.coupling_types if t.name == shown.coupling_type)
-    connection = connection_option(case, ConnectionKind(shown.connection))
+        return present, _history(state, candidate, chosen.performance, "chosen")
+    if nearest is None:
+        return (present,)
+    kind = next(t for t in case.coupling_types if t.name == nearest.coupling_type)
+    connection = connection_option(case, ConnectionKind(nearest.connection))
     candidate = Candidate(kind, connection)
-    return present, rundown_history(case, candidate, shown.performance, "nearest")
+    return present, _history(state, candidate, nearest.performance, "nearest")
+
+
+def _history(
+    state: FlowState, candidate: Candidate, performance: Performance, role: str
+) -> RundownHistory:
+    evaluator = state.bench.evaluator(candidate)
+    history = evaluator.history(performance.torsional_stiffness, performance.key_gap)
+    return rundown_history(state.case, candidate.label, history, performance, role)
 
 
 def _strict_reading(case: Case, performance: Performance) -> LoadReading:

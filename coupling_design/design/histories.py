@@ -22,9 +22,7 @@ from coupling_design.bearing.lubrication import (
 )
 from coupling_design.bearing.parameters import Bearing
 from coupling_design.case.case import Case
-from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.recorded import recorded_rundown
 from coupling_design.design.results import DesignMap, Performance
 from coupling_design.design.search import problem
 from coupling_design.design.signals import BearingHistory, RundownHistory
@@ -39,23 +37,19 @@ _GAPS = 16
 
 
 def rundown_history(
-    case: Case, candidate: Candidate, performance: Performance, role: str
+    case: Case, label: str, history: History, performance: Performance, role: str
 ) -> RundownHistory:
-    """Return the run-down of a design point in full.
+    """Return a run-down with what the bearings bear in it.
 
     The damage counts as it does in the flow: its last value is that of `performance`,
-    as far as the run-down is not chaotic.
+    the performance of the same run-down.
     """
-    driveline = candidate_driveline(
-        case, candidate, performance.torsional_stiffness, performance.key_gap
-    )
-    history = recorded_rundown(driveline, case.shutdown)
     frequency = 2 * math.pi * float(performance.natural_frequency)
     force = collision_force(history, frequency)
     first, second = (_bearing_history(case, history, k) for k in range(2))
     return RundownHistory(
         role=role,
-        label=candidate.label,
+        label=label,
         driveline=history,
         force_trend=force.trend,
         collision_force=force.fluctuation,

@@ -20,9 +20,6 @@ from coupling_design.errors import SimulationError
 from coupling_design.rollout.recording import record
 from coupling_design.rollout.runge_kutta import rk4_step
 
-# Recorded in pieces, so that the graph stays small however long the run-down is.
-_PIECE = 1000
-
 
 @dataclass(frozen=True)
 class History:
@@ -55,39 +52,30 @@ def simulate(driveline: Driveline, shutdown: Shutdown) -> History:
     """
     state = ca.SX.sym("state", len(state_names(driveline)))
     none = ca.SX.sym("parameters", 0)
-    now = motion(driveline, state)
-    step = ca.Function(
-        "step",
-        [state, none],
-        [
-            rk4_step(
-                lambda y: motion(driveline, y).state_rate, state, shutdown.time_step
-            )
-        ],
+    state_next = rk4_step(
+        lambda y: motion(driveline, y).state_rate, state, shutdown.time_step
     )
+    step = ca.Function("step", [state, none], [state_next])
+    start = np.asarray(ca.DM(quasi_steady_state(driveline, shutdown.initial_speed)))
+    states = record(step, shutdown.n_steps, start, np.empty((0, 1)))
+    return history_of(driveline, shutdown, states)
+
+
+def history_of(driveline: Driveline, shutdown: Shutdown, states: FloatArray) -> History:
+    """Return the history that states at the start of every step tell, (n, n_steps).
+
+    Raises SimulationError, saying when, if they are not finite.
+    """
+    is_finite = np.isfinite(states).all(axis=0)
+    if not is_finite.all():
+        reached = float(np.argmin(is_finite)) * shutdown.time_step
+        raise SimulationError(
+            f"the run-down left finite numbers by {reached:.4g} s, with a step of "
+            f"{shutdown.time_step:.3g} s. Take a smaller step, or a softer contact."
+        )
+    state = ca.SX.sym("state", len(states))
+    now = motion(driveline, state)
     signals = ca.vertcat(*(getattr(now, name) for name in _SIGNALS))
-    output = ca.Function("signals", [state, none], [signals])
-    start = ca.DM(quasi_steady_state(driveline, shutdown.initial_speed))
-    columns = _record(step, output, start, shutdown)
-    time = shutdown.time_step * np.arange(shutdown.n_steps, dtype=np.float64)
-    return History(time, *columns)
-
-
-def _record(
-    step: ca.Function, output: ca.Function, state: ca.DM, shutdown: Shutdown
-) -> FloatArray:
-    pieces: list[FloatArray] = []
-    full, rest = divmod(shutdown.n_steps, _PIECE)
-    lengths = [_PIECE] * full + ([rest] if rest else [])
-    recorders = {length: record(step, output, length) for length in set(lengths)}
-    for i, length in enumerate(lengths):
-        state, outputs = recorders[length](state, ca.DM(0, 1))
-        pieces.append(np.asarray(outputs, dtype=np.float64))
-        if not np.isfinite(np.asarray(state)).all():
-            reached = (i * _PIECE + length) * shutdown.time_step
-            message = (
-                f"the run-down left finite numbers by {reached:.4g} s, with a step of "
-                f"{shutdown.time_step:.3g} s. Take a smaller step, or a softer contact."
-            )
-            raise SimulationError(message)
-    return np.hstack(pieces)
+    output = ca.Function("signals", [state], [signals])
+    time = shutdown.time_step * np.arange(states.shape[1], dtype=np.float64)
+    return History(time, *np.asarray(output(states), dtype=np.float64))

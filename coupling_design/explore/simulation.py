@@ -13,6 +13,7 @@ from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.histories import rundown_history
 from coupling_design.design.performance import Performance
 from coupling_design.design.signals import RundownHistory
+from coupling_design.driveline.history import simulate
 from coupling_design.explore.grid import Grid, Quantity
 from coupling_design.explore.points import Point
 
@@ -32,7 +33,11 @@ def simulate_point(case: Case, point: Point) -> Simulation:
     evaluator = Evaluator(case, point.candidate)
     stiffness, gap = point.torsional_stiffness, point.key_gap
     history = rundown_history(
-        case, point.candidate, evaluator.outline(stiffness, gap), "simulated"
+        case,
+        point.candidate.label,
+        simulate(evaluator.driveline(stiffness, gap), case.shutdown),
+        evaluator.outline(stiffness, gap),
+        "simulated",
     )
     signals = Grid((_time(history),), _signals(history, case), facts_of(case, point))
     first, second = history.bearings

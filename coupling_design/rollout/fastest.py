@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import casadi as ca
 
 from coupling_design.rollout.compiled.march import NotCompiled, compile_march
@@ -17,5 +19,5 @@ def fastest_marcher(step: ca.Function, n_steps: int) -> Marcher:
     if isinstance(compiled, NotCompiled):
         interpreted = virtual_machine_marcher(step, n_steps)
         reason = f"CasADi's virtual machine, 6 to 50 times slower: {compiled.reason}"
-        return Marcher(interpreted.run, reason)
-    return Marcher(compiled, "machine code", is_compiled=True)
+        return replace(interpreted, engine=reason)
+    return Marcher(compiled, compiled.record, "machine code", is_compiled=True)

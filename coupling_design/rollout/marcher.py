@@ -12,6 +12,7 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.rollout.march import march
+from coupling_design.rollout.recording import record
 
 Batch = Callable[[FloatArray, FloatArray], FloatArray]
 
@@ -22,10 +23,12 @@ class Marcher:
 
     Called with states (n, b) and parameters (m, b), returns the states at the end
     (n, b), column by column in their order, whatever the batch and the threads.
-    `engine` says in words what does the work.
+    `record` takes one column and returns its states at the start of every step,
+    (n, n_steps). `engine` says in words what does the work.
     """
 
     run: Batch
+    record: Batch
     engine: str
     is_compiled: bool = False
 
@@ -47,4 +50,7 @@ def virtual_machine_marcher(step: ca.Function, n_steps: int) -> Marcher:
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             return np.stack(list(pool.map(one, columns)), axis=1)
 
-    return Marcher(run, "CasADi's virtual machine")
+    def recorded(states: FloatArray, parameters: FloatArray) -> FloatArray:
+        return record(step, n_steps, states, parameters)
+
+    return Marcher(run, recorded, "CasADi's virtual machine")

@@ -14,6 +14,7 @@ from coupling_design.rollout.compiled.march import (
 from coupling_design.rollout.compiled.symbols import with_shared_powers
 from coupling_design.rollout.fastest import fastest_marcher
 from coupling_design.rollout.march import march
+from coupling_design.rollout.recording import record
 from coupling_design.rollout.sensitivities import with_sensitivities
 
 RANDOM = np.random.default_rng(4)
@@ -121,6 +122,28 @@ def test_a_lane_that_diverges_is_noticed_and_leaves_others_alone():
     others = np.arange(11) != 4
     np.testing.assert_array_equal(ends[:, others], healthy[:, others])
     assert not np.isfinite(ends[:, 4]).any()
+
+
+@pytest.mark.usefixtures("compiler")
+@pytest.mark.parametrize("n_steps", [1, 31, 32, 33, 300])
+def test_record_has_every_step_of_the_march_to_the_last_bit(pendulum_step, n_steps):
+    starts, points = batch(3)
+    one = starts[:, 1:2], points[:, 1:2]
+    history = compile_march(pendulum_step, n_steps).record(*one)
+    assert history.shape == (4, n_steps)
+    np.testing.assert_array_equal(history[:, :1], one[0])
+    before = range(1, n_steps, 7)
+    ends = [compile_march(pendulum_step, n)(starts, points)[:, 1] for n in before]
+    for n, end in zip(before, ends, strict=True):
+        np.testing.assert_array_equal(history[:, n], end)
+
+
+@pytest.mark.usefixtures("compiler")
+def test_record_agrees_with_the_virtual_machine(pendulum_step):
+    starts, points = batch(1)
+    expected = record(pendulum_step, 1500, starts, points)
+    history = compile_march(pendulum_step, 1500).record(starts, points)
+    np.testing.assert_allclose(history, expected, rtol=1e-11, atol=1e-12)
 
 
 @pytest.mark.usefixtures("compiler")

@@ -37,6 +37,7 @@ typedef int Mask;
 INLINE Bits bits(Real x) { Bits u; memcpy(&u, &x, sizeof u); return u; }
 INLINE Real real(Bits u) { Real x; memcpy(&x, &u, sizeof x); return x; }
 INLINE Real splat(double x) { return x; }
+INLINE double first_lane(Real x) { return x; }
 #define SPLAT_BITS(u) ((Bits)(u))
 #define SHIFT_RIGHT(u, n) ((Bits)((uint64_t)(u) >> (n)))
 #define SHIFT_LEFT(u, n) ((Bits)((uint64_t)(u) << (n)))
@@ -48,6 +49,7 @@ typedef uint64_t Unsigned __attribute__((vector_size(8 * LANES)));
 INLINE Bits bits(Real x) { return (Bits)x; }
 INLINE Real real(Bits u) { return (Real)u; }
 INLINE Real splat(double x) { return x - (Real){0}; }
+INLINE double first_lane(Real x) { return x[0]; }
 #define SPLAT_BITS(u) ((Bits){0} + (int64_t)(u))
 #define SHIFT_RIGHT(u, n) ((Bits)((Unsigned)(u) >> (n)))
 #define SHIFT_LEFT(u, n) ((Bits)((Unsigned)(u) << (n)))

@@ -71,14 +71,13 @@ class CompiledMarch:
         self._check(states, parameters)
         library, batch = self._library(), states.shape[1]
         threads = threads or os.cpu_count() or 1
-        widest = ctypes.c_int.in_dll(library, "march_width").value
-        width = min(widest, max(-(-batch // threads), 1))
+        width = min(_width(library), max(-(-batch // threads), 1))
         ends = np.empty(states.shape)
 
         def block(first: int) -> None:
             columns = slice(first, first + width)
             ends[:, columns] = _march_block(
-                library, self, states[:, columns], parameters[:, columns], widest
+                library, self, states[:, columns], parameters[:, columns]
             )
 
         firsts = range(0, batch, width)
@@ -88,6 +87,16 @@ class CompiledMarch:
         with ThreadPoolExecutor(threads) as pool:
             list(pool.map(block, firsts))
         return ends
+
+    def record(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
+        """Return the states at the start of every step, shape (n, n_steps).
+
+        The march is that of a column alone: states (n, 1), parameters (m, 1).
+        """
+        self._check(states, parameters)
+        history = np.empty((self.n_states, self.n_steps))
+        _march_block(self._library(), self, states, parameters, history)
+        return history
 
     def _check(self, states: FloatArray, parameters: FloatArray) -> None:
         expected = (self.n_states, self.n_parameters)
@@ -133,18 +142,25 @@ def _march_block(
     march: CompiledMarch,
     states: FloatArray,
     parameters: FloatArray,
-    widest: int,
+    history: FloatArray | None = None,
 ) -> FloatArray:
-    """Return the ends of at most `widest` columns."""
-    width = states.shape[1]
+    """Return the ends of as many columns as a call takes, at most."""
+    width, widest = states.shape[1], _width(library)
     states, parameters = _padded(states, widest), _padded(parameters, widest)
     constants = np.array(march.kernel.constants, np.float64)
     ends = np.empty_like(states)
+    arrays = (constants, parameters, states, ends)
     library.march(
         *(ctypes.c_int64(number) for number in (march.n_steps, width, widest)),
-        *(a.ctypes.data_as(_DOUBLES) for a in (constants, parameters, states, ends)),
+        *(array.ctypes.data_as(_DOUBLES) for array in arrays),
+        None if history is None else history.ctypes.data_as(_DOUBLES),
     )
     return ends[:, :width]
+
+
+def _width(library: ctypes.CDLL) -> int:
+    """Return how many columns one call takes."""
+    return ctypes.c_int.in_dll(library, "march_width").value
 
 
 def _padded(columns: FloatArray, width: int) -> FloatArray:

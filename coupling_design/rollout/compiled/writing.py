@@ -21,7 +21,7 @@ _ROOM, _FEWEST_STEPS, _MOST_STEPS = 3_000, 8, 32  # doubles for each lane
 _FUNCTION = """
 static void {name}(int64_t n_steps, int64_t width, int64_t stride,
     const double *constants, const double *parameters, const double *states,
-    double *ends)
+    double *ends, double *history)
 {{
     enum {{ STEPS = {steps}, ROW = (STEPS + 1) * {vectors} * LANES }};
     double rows[{rows} * ROW];
@@ -30,12 +30,14 @@ static void {name}(int64_t n_steps, int64_t width, int64_t stride,
     for (int64_t first = 0; first < n_steps; first += STEPS) {{
         const int64_t steps = n_steps - first < STEPS ? n_steps - first : STEPS;
         for (int64_t at = 0; at < steps * width; at += width) {{
+{recorded_motion}
 {motion}
         }}
         for (int64_t at = 0; at < steps * width; at += {vectors} * LANES) {{
 {effects}
         }}
         for (int64_t at = 0; at < steps * width; at += width) {{
+{recorded_totals}
 {adding}
         }}
     }}
@@ -44,16 +46,19 @@ static void {name}(int64_t n_steps, int64_t width, int64_t stride,
 """
 
 _MARCH = """
-/* Marches `width` columns, at most `march_width`. */
+/* Marches `width` columns, at most `march_width`. Of a single one, the states at the
+ * start of every step go to `history` (n_states, n_steps), unless it is NULL. */
 void march(int64_t n_steps, int64_t width, int64_t stride, const double *constants,
-           const double *parameters, const double *states, double *ends)
+           const double *parameters, const double *states, double *ends,
+           double *history)
 {{
-{wider}    march_one(n_steps, width, stride, constants, parameters, states, ends);
+{wider}    march_one(n_steps, width, stride, constants, parameters, states, ends,
+              history);
 }}
 const int march_width = {width};
 """
 _WIDER = """    if (SIDE_BY_SIDE && width > LANES) {
-        march_two(n_steps, width, stride, constants, parameters, states, ends);
+        march_two(n_steps, width, stride, constants, parameters, states, ends, NULL);
         return;
     }
 """
@@ -121,6 +126,8 @@ class _Writer:
             vectors=vectors,
             rows=max(len(self.rows), 1),
             steps=min(max(steps, _FEWEST_STEPS), _MOST_STEPS),
+            recorded_motion=self._recorded(vectors, set(n_states) - self.parts.totals),
+            recorded_totals=self._recorded(vectors, self.parts.totals),
             before=_lines(
                 4,
                 self._all(each, n_states, self._load_state),
@@ -146,6 +153,13 @@ class _Writer:
             ),
             after=_lines(4, self._all(each, n_states, self._store_end)),
         )
+
+    def _recorded(self, vectors: int, states: Iterable[int]) -> str:
+        if vectors > 1:
+            return ""
+        row = "history[{i} * n_steps + first + at / width] = first_lane(s{i}a);"
+        lines = [row.format(i=i) for i in sorted(states)]
+        return _lines(12, ["if (history) {", *lines, "}"])
 
     def _tasks(self, vectors: range, tasks: list[Task]) -> list[str]:
         return [
