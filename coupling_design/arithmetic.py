@@ -88,3 +88,13 @@ def where(condition: Scalar, if_true: Scalar, if_false: Scalar) -> Scalar:
     if is_symbolic(condition, if_true, if_false):
         return ca.if_else(condition, if_true, if_false)
     return np.where(condition, if_true, if_false)
+
+
+def entries(vector: Scalar) -> list[Scalar]:
+    """Return the entries of a CasADi vector, or the rows of an array."""
+    return list(ca.vertsplit(vector) if is_symbolic(vector) else vector)
+
+
+def stacked(*values: Scalar) -> Scalar:
+    """Return a CasADi vector of its entries, or an array of its rows."""
+    return ca.vertcat(*values) if is_symbolic(*values) else np.stack(values)

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import casadi as ca
-
-from coupling_design.arithmetic import Scalar
+from coupling_design.arithmetic import Scalar, entries, stacked
 from coupling_design.driveline.damping import coupling_damping
 from coupling_design.driveline.excitation import excitation_torque, resistance_torque
 from coupling_design.driveline.key_gap import transmission_torque
@@ -66,26 +64,23 @@ def reduced_inertia(driveline: Driveline) -> Scalar:
 
 
 def motion(driveline: Driveline, state: Scalar) -> Motion:
-    """Return the motion at a state, [1] eq. (1), as CasADi expressions.
+    """Return the motion at a state, [1] eq. (1).
 
     Parameters
     ----------
     driveline : values or symbols
-    state : CasADi vector, entries as `state_names` says
+    state : CasADi vector, or array with a column for each instant; its entries or rows
+        as `state_names` says
     """
     if isinstance(driveline.connection, KeyedConnection):
         return _keyed_motion(driveline, driveline.connection, state)
     return _tight_motion(driveline, state)
 
 
-def _entries(state: Scalar) -> list[Scalar]:
-    return list(ca.vertsplit(state))
-
-
 def _keyed_motion(
     driveline: Driveline, connection: KeyedConnection, state: Scalar
 ) -> Motion:
-    th1, th2, th3, w1, w2, w3 = _entries(state)
+    th1, th2, th3, w1, w2, w3 = entries(state)
     J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
     J3 = driveline.generator_inertia
     T_1 = excitation_torque(th1, driveline.excitation) - resistance_torque(
@@ -95,7 +90,7 @@ def _keyed_motion(
     T_c = _coupling_torque(driveline, th1 - th2, w1 - w2)
     r_Fc = transmission_torque(th2 - th3, w2 - w3, connection)
     return Motion(
-        state_rate=ca.vertcat(
+        state_rate=stacked(
             w1, w2, w3, (T_1 - T_c) / J1, (T_c - r_Fc) / J2, (r_Fc - T_d) / J3
         ),
         transmission_force=r_Fc / connection.radius,
@@ -108,7 +103,7 @@ def _keyed_motion(
 
 
 def _tight_motion(driveline: Driveline, state: Scalar) -> Motion:
-    th1, th3, w1, w3 = _entries(state)
+    th1, th3, w1, w3 = entries(state)
     J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
     J3 = driveline.generator_inertia
     T_1 = excitation_torque(th1, driveline.excitation) - resistance_torque(
@@ -120,7 +115,7 @@ def _tight_motion(driveline: Driveline, state: Scalar) -> Motion:
     # The hub carries what turns the generator: eq. (1), third line.
     r_Fc = J3 * a_3 + T_d
     return Motion(
-        state_rate=ca.vertcat(w1, w3, (T_1 - T_c) / J1, a_3),
+        state_rate=stacked(w1, w3, (T_1 - T_c) / J1, a_3),
         transmission_force=r_Fc / driveline.connection.radius,
         coupling_torque=T_c,
         engine_torque=T_1,

@@ -73,9 +73,6 @@ def history_of(driveline: Driveline, shutdown: Shutdown, states: FloatArray) -> 
             f"the run-down left finite numbers by {reached:.4g} s, with a step of "
             f"{shutdown.time_step:.3g} s. Take a smaller step, or a softer contact."
         )
-    state = ca.SX.sym("state", len(states))
-    now = motion(driveline, state)
-    signals = ca.vertcat(*(getattr(now, name) for name in _SIGNALS))
-    output = ca.Function("signals", [state], [signals])
+    now = motion(driveline, states)
     time = shutdown.time_step * np.arange(states.shape[1], dtype=np.float64)
-    return History(time, *np.asarray(output(states), dtype=np.float64))
+    return History(time, *(getattr(now, name) for name in _SIGNALS))
