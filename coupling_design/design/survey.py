@@ -48,6 +48,11 @@ class Survey:
         """The scan over stiffness at the largest gap."""
         return self.rows[-1]
 
+    @property
+    def longest_step(self) -> int:
+        """How many times longer a time step is known to do."""
+        return self.coarse.times if self.coarse else 1
+
     def design_map(self, name: str) -> DesignMap:
         """Return damage and peak over the plane, as plain numbers."""
         return DesignMap(

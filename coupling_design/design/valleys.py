@@ -19,17 +19,21 @@ _SAME_LOAD = 1e-3
 
 
 def smallest_load(
-    problem: DesignProblem, scanned: Sequence[Performance], n_valleys: int
+    problem: DesignProblem,
+    scanned: Sequence[Performance],
+    n_valleys: int,
+    coarsening: int = 1,
 ) -> Optimum:
     """Return the point of smallest load over stiffness, at a fixed gap.
 
     The largest of 120 000 loads has a kink wherever another one takes the lead, so
-    the best valleys of the scan are searched without derivatives.
+    the best valleys of the scan are searched without derivatives. All rounds but the
+    last may have a time step `coarsening` times as long, known to be good enough.
     """
-    before = problem.evaluator.rollouts
+    before = _rollouts(problem)
     floors = best_first(problem, local_minima(problem, scanned))[:n_valleys]
-    ends = _zoom(problem, scanned, floors)
-    rollouts = problem.evaluator.rollouts - before
+    ends = _zoom(problem, scanned, floors, coarsening)
+    rollouts = _rollouts(problem) - before
     winner = best_first(problem, ends)[0]
     same = [abs(float(problem.value(end) - problem.value(winner))) for end in ends]
     return Optimum(
@@ -49,10 +53,15 @@ def smallest_load(
     )
 
 
+def _rollouts(problem: DesignProblem) -> int:
+    return problem.evaluator.rollouts + problem.evaluator.coarse_rollouts
+
+
 def _zoom(
     problem: DesignProblem,
     scanned: Sequence[Performance],
     floors: Sequence[Performance],
+    coarsening: int,
 ) -> list[Performance]:
     """Return the best point of each valley, between the neighbours of its floor.
 
@@ -60,14 +69,18 @@ def _zoom(
     between the neighbours of the best: 16 of them cost machine code no more than one.
     """
     evaluator, gap = problem.evaluator, floors[0].key_gap
+    coarser = evaluator.coarser(coarsening) if coarsening > 1 else evaluator
     points, rounds = _WITH_LANES if evaluator.is_compiled else _ONE_BY_ONE
     brackets = [_neighbours(scanned, floor) for floor in floors]
     best = list(floors)
-    for _ in range(rounds):
-        inside = [_between(bracket, points) for bracket in brackets]
-        found = evaluator.performances([(k, gap) for row in inside for k in row])
+    for left in reversed(range(rounds)):
+        inside = [k for bracket in brackets for k in _between(bracket, points)]
+        rolled_out = (coarser if left else evaluator).performances(
+            [(k, gap) for k in inside]
+        )
         for i, bracket in enumerate(brackets):
-            known = [*bracket, best[i], *found[i * points : (i + 1) * points]]
+            found = rolled_out[i * points : (i + 1) * points]
+            known = [*bracket, best[i], *found] if left else [floors[i], *found]
             known.sort(key=lambda performance: performance.torsional_stiffness)
             best[i] = best_first(problem, known)[0]
             brackets[i] = _neighbours(known, best[i])

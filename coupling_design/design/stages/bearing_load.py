@@ -93,7 +93,9 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
-    lowest = smallest_load(least_load, scanned, bench.effort.starts)
+    lowest = smallest_load(
+        least_load, scanned, bench.effort.starts, plane.longest_step
+    )
     ratio = float(least_load.load_ratio(lowest.performance))
     trial = _Trial(
         optimum=lowest,
@@ -137,7 +139,7 @@ def _with_gap_closed(
     label = program.evaluator.candidate.label
     state.bench.progress(f"least load of {label} with the gap closed")
     closed = replace(program, space=replace(program.space, gap=(0.0, 0.0)))
-    lowest = smallest_load(closed, plane.smallest_gap, n_valleys=1)
+    lowest = smallest_load(closed, plane.smallest_gap, 1, plane.longest_step)
     ratio = float(closed.load_ratio(lowest.performance))
     return _evidence("with the gap closed", lowest, ratio)
 
