@@ -93,9 +93,7 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
-    lowest = smallest_load(
-        least_load, scanned, bench.effort.starts, plane.longest_step
-    )
+    lowest = smallest_load(least_load, scanned, bench.effort.starts, plane.longest_step)
     ratio = float(least_load.load_ratio(lowest.performance))
     trial = _Trial(
         optimum=lowest,

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import partial
 
 from coupling_design.rollout.compiled.graph import Graph
 from coupling_design.rollout.compiled.order import Task
 from coupling_design.rollout.compiled.parts import Parts
-from coupling_design.rollout.compiled.saturation import group_statements, grouped
+from coupling_design.rollout.compiled.saturation import (
+    Name,
+    group_statements,
+    grouped,
+)
 from coupling_design.rollout.compiled.value import MASKS, Value
 
 _PATTERNS = {
@@ -46,20 +51,21 @@ class Expressions:
             return self._constant(value.number)
         return f"{'m' if value.kind in MASKS else 'v'}{place}{'ab'[vector]}"
 
-    def statements(self, task: Task, vector: int) -> list[str]:
+    def statements(self, task: Task, vectors: range) -> list[str]:
         """Return the C statements that compute a value, or a group of tangents."""
-
-        def name(place: int) -> str:
-            return self.name(place, vector)
-
         value = self.graph[task[0]]
         if value.kind == "tanh":
-            return group_statements(self.graph, grouped(self.graph, task), name)
+            names: list[Name] = [partial(self.name, vector=v) for v in vectors]
+            return group_statements(self.graph, grouped(self.graph, task), names)
         if value.kind == "constant" or task[0] in self._fused:
             return []
         kind = "Mask" if value.kind in MASKS else "Real"
         kind = "Wave" if value.kind in _PAIRS else kind
-        return [f"const {kind} {name(task[0])} = {self._expression(value, vector)};"]
+        return [
+            f"const {kind} {self.name(task[0], vector)} = "
+            f"{self._expression(value, vector)};"
+            for vector in vectors
+        ]
 
     def _expression(self, value: Value, vector: int) -> str:
         if value.kind == "state":

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import product
 
 from coupling_design.rollout.compiled.graph import Graph
 
@@ -52,15 +53,15 @@ def _edge(graph: Graph, place: int) -> tuple[int, int] | None:
     return None
 
 
-def group_statements(graph: Graph, group: Group, name: Name) -> list[str]:
-    """Return the C statements that compute a group.
+def group_statements(graph: Graph, group: Group, names: list[Name]) -> list[str]:
+    """Return the C statements that compute a group, `names` of each vector's values.
 
     The test is of all lanes at once; a tangent at its end is 1 or -1 to the last bit
     either way, so lanes do not depend on each other.
     """
     before, after = [], []
     tested: list[tuple[str, str]] = []
-    for one, other in group.pairs:
+    for (one, other), name in product(group.pairs, names):
         a, b = (name(graph[place].args[0]) for place in (one, other))
         v, w = name(one), name(other)
         before += [
@@ -73,7 +74,10 @@ def group_statements(graph: Graph, group: Group, name: Name) -> list[str]:
             f"const Real {v} = choose({v}_nearer, {v}_near, {v}_far);",
             f"const Real {w} = choose({v}_nearer, {v}_far, {v}_near);",
         ]
-    tested += [(name(p), name(graph[p].args[0])) for p in group.single]
+    tested += [
+        (name(place), name(graph[place].args[0]))
+        for place, name in product(group.single, names)
+    ]
     return [*before, *_tested(tested), *after]
 
 

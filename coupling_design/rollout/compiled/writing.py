@@ -165,8 +165,7 @@ class _Writer:
         return [
             line
             for task in tasks
-            for vector in vectors
-            for line in self.expressions.statements(task, vector)
+            for line in self.expressions.statements(task, vectors)
         ]
 
     def _all(
