@@ -82,7 +82,7 @@ def many_rollouts(subject: Subject, scale: Scale) -> list[Row]:
         "batch": lambda: value(batch.starts, batch.points, 1),
         "batch_gradient": lambda: gradient(batch.joint_starts, batch.points, 1),
     }
-    if hand_written.has_avx512():
+    if hand_written.has_simd():
         simd = hand_written.simd_c(subject.machine(), n_steps)
         _check(subject, batch, hand_written.simd_c)
         things["SIMD C"] = lambda: simd(batch.starts, batch.points)
@@ -97,7 +97,7 @@ def many_rollouts(subject: Subject, scale: Scale) -> list[Row]:
             for key, (what, bound) in names.items()
         ]
     else:
-        reason = "the peer needs AVX-512"
+        reason = "the peer needs AVX-512 or AVX2 with FMA"
         rows = [missing(key, what, reason) for key, (what, _) in names.items()]
     return [*rows, _two_cores(subject, batch, scale), _solve_ivp(subject, times, scale)]
 
