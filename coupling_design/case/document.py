@@ -8,6 +8,7 @@ from typing import Any
 
 import yaml
 
+from coupling_design.case.nodes import compose, construct
 from coupling_design.case.problem import Path, Problem
 from coupling_design.errors import CaseError
 
@@ -62,8 +63,9 @@ def parse_text(text: str, file: str) -> Document:
     try:
         if "&" in text:
             _refuse_aliases(text, file)
-        root = yaml.compose(text, Loader=yaml.SafeLoader)
-        data = yaml.safe_load(text)
+        root = compose(text)
+        if root is not None:
+            return _document(root, file)
     except yaml.MarkedYAMLError as error:
         raise CaseError([_not_yaml(error, file)]) from None
     except yaml.reader.ReaderError as error:
@@ -78,13 +80,16 @@ def parse_text(text: str, file: str) -> Document:
         raise CaseError(
             [f"{file}:1: lists or mappings are nested too deeply for a case file"]
         ) from None
-    if root is None:
-        raise CaseError(
-            [f"{file}:1: the file is empty; copy cases/16v280.yaml and change it"]
-        )
-    document = Document(file, data)
+    raise CaseError(
+        [f"{file}:1: the file is empty; copy cases/16v280.yaml and change it"]
+    )
+
+
+def _document(root: yaml.Node, file: str) -> Document:
+    document = Document(file, None)
     document.lines[()] = _line(root.start_mark)
     problems = tuple(_walk(root, (), document))
+    data = construct(root)
     return Document(file, data, document.lines, document.texts, problems)
 
 

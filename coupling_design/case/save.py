@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path as FilePath
 from typing import Any
 
 import yaml
 
 from coupling_design.case.document import Document, parse_text
+from coupling_design.case.nodes import compose
 from coupling_design.case.overrides import override, parse_assignment
 from coupling_design.case.places import list_places
 from coupling_design.case.problem import Path, dotted
@@ -38,7 +40,7 @@ def changed_text(text: str, document: Document, assignments: Sequence[str]) -> s
     for assignment in assignments:
         path, value = parse_assignment(assignment, wanted)
         wanted = override(wanted, [assignment])
-        if _read(text) is not None:
+        with suppress(yaml.YAMLError, ValueError):  # no YAML now: written out below
             text = _with(text, path, value) if value else _without(text, path)
     if _read(text) == wanted.data:
         return text
@@ -92,7 +94,7 @@ def _read(text: str) -> Any:
 def _with(text: str, path: Path, value: str) -> str:
     """Return a text with a value in place of what stands at a path, or added there."""
     known = 0
-    node: yaml.Node = _compose(text)
+    node: Any = compose(text)
     for element in path:
         inner = _inside(node, element)
         if inner is None:
@@ -117,7 +119,7 @@ def _added(text: str, node: yaml.Node, key: str | int, value: str) -> str:
 
 
 def _without(text: str, path: Path) -> str:
-    node: yaml.Node | None = _compose(text)
+    node = compose(text)
     for element in path[:-1]:
         node = _inside(node, element)
     if not isinstance(node, yaml.MappingNode):
@@ -132,10 +134,6 @@ def _without(text: str, path: Path) -> str:
                 before, rest = before.rstrip(" "), rest.partition("\n")[2]
             return before + rest
     return text
-
-
-def _compose(text: str) -> Any:
-    return yaml.compose(text, Loader=yaml.SafeLoader)
 
 
 def _inside(node: yaml.Node | None, element: str | int) -> yaml.Node | None:
