@@ -86,11 +86,11 @@ def damping_matrix(driveline: Driveline) -> FloatArray:
 
 def modes(driveline: Driveline) -> Modes:
     """Return all natural frequencies and mode shapes, undamped, with the gap closed."""
-    import scipy.linalg
-
-    squares, shapes = scipy.linalg.eigh(
-        stiffness_matrix(driveline), mass_matrix(driveline)
-    )
+    # The masses are a diagonal: K v = omega^2 M v is symmetric in M^(1/2) v.
+    roots = np.sqrt(mass_matrix(driveline).diagonal())
+    scaled = stiffness_matrix(driveline) / np.outer(roots, roots)
+    squares, vectors = np.linalg.eigh(scaled)
+    shapes = vectors / roots[:, np.newaxis]
     largest = shapes[np.abs(shapes).argmax(axis=0), range(len(squares))]
     # The rigid-body root is zero; rounding may leave it slightly negative.
     return Modes(np.sqrt(np.maximum(squares, 0.0)), shapes / largest)
