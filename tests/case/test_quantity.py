@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from coupling_design.case import kinds
+from coupling_design.case import kinds, units
 from coupling_design.case.quantity import QuantityError
 
 
@@ -129,3 +129,18 @@ def test_every_example_can_be_read():
         if name.isupper():
             for example in kind.example.split(" or "):
                 assert math.isfinite(kind.parse(example))
+
+
+USUAL = [(si, unit) for si, units_ in units._USUAL.items() for unit in units_]
+
+
+@pytest.mark.parametrize(("si_unit", "unit"), USUAL)
+def test_the_usual_units_are_pint_s(monkeypatch, si_unit, unit):
+    numbers = [0.0, -0.28, 1 / 3, 43.7, 1e-12, 6.02e23]
+    by_table = [units.to_si(number, unit, si_unit) for number in numbers]
+    back_by_table = [units.from_si(number, unit) for number in numbers]
+    monkeypatch.setattr(units, "_USUAL", {})
+    monkeypatch.setattr(units, "_FACTORS", {})
+
+    assert [units.to_si(number, unit, si_unit) for number in numbers] == by_table
+    assert [units.from_si(number, unit) for number in numbers] == back_by_table
