@@ -48,11 +48,14 @@ def bins_around(time: Floats, moments: Sequence[float]) -> Bins:
 
 def extremes(signal: Floats, bins: Bins) -> Indices:
     """Return which samples to draw: both extremes of each bin, and both ends."""
-    chosen = {0, len(signal) - 1}
-    for first, last in zip(bins.edges[:-1], bins.edges[1:], strict=True):
-        part = signal[first:last]
-        chosen |= {int(first + part.argmin()), int(first + part.argmax())}
-    return np.array(sorted(chosen), dtype=np.intp)
+    starts, widths = bins.edges[:-1], np.diff(bins.edges)
+    chosen = [np.array([0, len(signal) - 1])]
+    # Bins of one width in a row are the rows of a matrix: one call instead of hundreds.
+    for alike in np.split(np.arange(len(starts)), np.flatnonzero(np.diff(widths)) + 1):
+        first, width = starts[alike], widths[alike[0]]
+        rows = signal[first[0] : first[-1] + width].reshape(-1, width)
+        chosen += [first + rows.argmin(axis=1), first + rows.argmax(axis=1)]
+    return np.unique(np.concatenate(chosen)).astype(np.intp)
 
 
 def _windows(time: Floats, moments: Sequence[float]) -> Iterator[tuple[int, int]]:
