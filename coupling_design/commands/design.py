@@ -36,7 +36,7 @@ def run(
     from coupling_design.case import load_case
     from coupling_design.design.flow import run_design
     from coupling_design.design.speed_map import evaluate_speed_map
-    from coupling_design.report.console import make_report_console
+    from coupling_design.report.console import make_report_console, print_report
     from coupling_design.report.files import prepare_directory, write_files
     from coupling_design.report.html.library import HOW_TO_GET, can_write_html
     from coupling_design.report.outcome import render_outcome
@@ -48,12 +48,12 @@ def run(
     with show_progress() as progress:
         outcome = run_design(loaded, progress)
     console = make_report_console()
-    console.print(render_outcome(outcome))
+    report = print_report(console, render_outcome(outcome))
     # Nothing but the figures wants the speed range.
     draws = bool(outcome.histories)
     speed_map = evaluate_speed_map(loaded, outcome.chosen) if draws else None
     written = (
-        *write_files(outcome, directory, speed_map),
+        *write_files(outcome, directory, speed_map, report),
         *_write_chosen(outcome, directory),
     )
     console.print(*(f"Written: {path}" for path in written), sep="\n", soft_wrap=True)

@@ -8,6 +8,7 @@ import sys
 from typing import IO
 
 from rich.console import Console, RenderableType
+from rich.segment import Segments
 
 FILE_WIDTH = 100
 NARROWEST = 80  # below this tables would lose digits; the terminal wraps instead
@@ -31,9 +32,30 @@ def make_error_console() -> Console:
     return _console(sys.stderr)
 
 
+def print_report(console: Console, report: RenderableType) -> str:
+    """Print a report; return it as `plain_text` does.
+
+    A report takes a tenth of a second to lay out: if the console is laid out like a
+    file, which a pipe's is, that is done once.
+    """
+    if _layout(console) != _layout(_file_console()):
+        console.print(report)
+        return plain_text(report)
+    segments = list(console.render(report))
+    console.print(Segments(segments))
+    return _bare("".join(part.text for part in segments if not part.control))
+
+
 def plain_text(report: RenderableType, width: int = FILE_WIDTH) -> str:
     """Return a report as plain text of a fixed width, whatever the terminal."""
-    console = Console(
+    console = _file_console(width)
+    with console.capture() as capture:
+        console.print(report)
+    return _bare(capture.get())
+
+
+def _file_console(width: int = FILE_WIDTH) -> Console:
+    return Console(
         file=io.StringIO(newline=""),
         width=width,
         color_system=None,
@@ -41,9 +63,17 @@ def plain_text(report: RenderableType, width: int = FILE_WIDTH) -> str:
         legacy_windows=False,
         _environ={},
     )
-    with console.capture() as capture:
-        console.print(report)
-    return "".join(f"{line.rstrip()}\n" for line in capture.get().splitlines())
+
+
+def _layout(console: Console) -> tuple[int, bool, bool]:
+    """Return all of a console that decides which character stands where."""
+    options = console.options
+    return options.max_width, options.ascii_only, options.legacy_windows
+
+
+def _bare(text: str) -> str:
+    """Return a text without blanks at the end of its lines."""
+    return "".join(f"{line.rstrip()}\n" for line in text.splitlines())
 
 
 def _console(stream: IO[str] | None) -> Console:

@@ -28,15 +28,21 @@ def prepare_directory(directory: Path) -> None:
 
 
 def write_files(
-    outcome: DesignOutcome, directory: Path, speed_map: SpeedMap | None = None
+    outcome: DesignOutcome,
+    directory: Path,
+    speed_map: SpeedMap | None = None,
+    report: str | None = None,
 ) -> tuple[Path, ...]:
     """Write design.json, report.txt and report.html; return their paths.
 
     The last is left out without histories to draw, and where `can_write_html` says no.
+    `report` is the report as plain text, if it has been laid out already.
     """
+    if report is None:
+        report = plain_text(render_outcome(outcome))
     texts = {
         directory / "design.json": document_text(build_document(outcome)),
-        directory / "report.txt": plain_text(render_outcome(outcome)),
+        directory / "report.txt": report,
     }
     if outcome.histories and can_write_html():
         texts[directory / "report.html"] = html_report(outcome, speed_map)

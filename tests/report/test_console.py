@@ -9,7 +9,9 @@ from coupling_design.report.console import (
     make_error_console,
     make_report_console,
     plain_text,
+    print_report,
 )
+from coupling_design.report.outcome import render_outcome
 from coupling_design.report.progress import show_progress
 
 
@@ -104,3 +106,41 @@ def test_progress_shows_the_step_on_a_terminal(terminal):
     with show_progress() as progress:
         progress("step 1 of 5")
     assert "step 1 of 5" in stream.getvalue()
+
+
+class Counted:
+    """A report that counts how often it is laid out."""
+
+    def __init__(self, report):
+        self.report, self.times = report, 0
+
+    def __rich_console__(self, console, options):
+        self.times += 1
+        yield self.report
+
+
+@pytest.mark.parametrize(
+    ("encoding", "columns", "times"),
+    [("utf-8", "", 1), ("utf-8", "120", 2), ("ascii", "", 2), ("latin-1", "100", 2)],
+)
+def test_a_report_for_a_pipe_is_laid_out_once(
+    monkeypatch, outcome, encoding, columns, times
+):
+    monkeypatch.setenv("COLUMNS", columns)
+    report = Counted(render_outcome(outcome))
+    at_once, separately = io.BytesIO(), io.BytesIO()
+    _streams(monkeypatch, io.TextIOWrapper(at_once, encoding, write_through=True))
+    text = print_report(make_report_console(), report)
+    _streams(monkeypatch, io.TextIOWrapper(separately, encoding, write_through=True))
+    make_report_console().print(report.report)
+
+    assert report.times == times
+    assert at_once.getvalue() == separately.getvalue()
+    assert text == plain_text(report.report)
+
+
+def test_a_report_on_a_screen_keeps_its_colours(terminal, outcome):
+    stream = terminal()
+    text = print_report(make_report_console(), render_outcome(outcome))
+    assert "\x1b[" in stream.getvalue()
+    assert text == plain_text(render_outcome(outcome))
