@@ -49,13 +49,15 @@ def bins_around(time: Floats, moments: Sequence[float]) -> Bins:
 def extremes(signal: Floats, bins: Bins) -> Indices:
     """Return which samples to draw: both extremes of each bin, and both ends."""
     starts, widths = bins.edges[:-1], np.diff(bins.edges)
-    chosen = [np.array([0, len(signal) - 1])]
+    is_drawn = np.zeros(len(signal), dtype=bool)
+    is_drawn[[0, -1]] = True
     # Bins of one width in a row are the rows of a matrix: one call instead of hundreds.
     for alike in np.split(np.arange(len(starts)), np.flatnonzero(np.diff(widths)) + 1):
         first, width = starts[alike], widths[alike[0]]
         rows = signal[first[0] : first[-1] + width].reshape(-1, width)
-        chosen += [first + rows.argmin(axis=1), first + rows.argmax(axis=1)]
-    return np.unique(np.concatenate(chosen)).astype(np.intp)
+        is_drawn[first + rows.argmin(axis=1)] = True
+        is_drawn[first + rows.argmax(axis=1)] = True
+    return np.flatnonzero(is_drawn)
 
 
 def _windows(time: Floats, moments: Sequence[float]) -> Iterator[tuple[int, int]]:
