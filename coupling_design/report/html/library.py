@@ -6,8 +6,8 @@ it, and a report costs one read of a file.
 
 from __future__ import annotations
 
-from importlib.resources import files
 from importlib.util import find_spec
+from pathlib import Path
 
 HOW_TO_GET = (
     "No report.html: it needs Plotly and Jinja; pip install plotly jinja2 gets them."
@@ -22,7 +22,10 @@ def can_write_html() -> bool:
 
 def plotly_script() -> str:
     """Return plotly.js, minified, to stand between <script> and </script>."""
-    script = files("plotly").joinpath("package_data", "plotly.min.js")
+    package = find_spec("plotly")
+    if package is None or package.origin is None:
+        raise ModuleNotFoundError(HOW_TO_GET)
+    script = Path(package.origin).with_name("package_data") / "plotly.min.js"
     text = script.read_text(encoding="utf-8")
     # A browser ends a script at these letters, even inside a JavaScript string.
     return text.replace("</script", "<\\/script").replace("<!--", "<\\!--")
