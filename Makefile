@@ -7,8 +7,13 @@ PYTHON ?=
 
 CANDIDATES := $(if $(PYTHON),"$(PYTHON)",python3.13 python3.12 python3.11 python3)
 PY := .venv/bin/python
-# Python compiles what it imports; compiling everything here would add half to the wait.
+# Compiling everything that is installed would add half to the wait. What a design
+# imports is compiled here, even where PYTHONDONTWRITEBYTECODE keeps Python from
+# writing what it compiles: each design would compile it anew, which takes a second.
 INSTALL := $(PY) -m pip install --quiet --disable-pip-version-check --no-compile --editable
+COMPILE := PYTHONDONTWRITEBYTECODE= $(PY) -c "import coupling_design.commands.app, \
+	coupling_design.design.flow, coupling_design.explore.chosen, \
+	coupling_design.report.files, jinja2"
 
 .PHONY: help design test test-slow lint format validation benchmark docs
 .NOTPARALLEL:
@@ -58,31 +63,37 @@ format: .venv/installed-lint
 .venv/installed: $(PY) pyproject.toml
 	@echo "Installing the program into .venv ..." >&2
 	@$(INSTALL) ".[html]"
+	@$(COMPILE)
 	@touch $@
 
 .venv/installed-test: $(PY) pyproject.toml
 	@echo "Installing the program and its test tools into .venv ..." >&2
 	@$(INSTALL) ".[test]"
+	@$(COMPILE)
 	@touch .venv/installed $@
 
 .venv/installed-studies: $(PY) pyproject.toml
 	@echo "Installing the program and what its studies need into .venv ..." >&2
 	@$(INSTALL) ".[test,studies]"
+	@$(COMPILE)
 	@touch .venv/installed .venv/installed-test $@
 
 .venv/installed-benchmark: $(PY) pyproject.toml
 	@echo "Installing the program and what its benchmarks need into .venv ..." >&2
-	@$(INSTALL) ".[benchmark]"
+	@$(INSTALL) ".[html,benchmark]"
+	@$(COMPILE)
 	@touch .venv/installed $@
 
 .venv/installed-docs: $(PY) pyproject.toml
 	@echo "Installing the program and what its documentation needs into .venv ..." >&2
 	@$(INSTALL) ".[test,docs]"
+	@$(COMPILE)
 	@touch .venv/installed .venv/installed-test $@
 
 .venv/installed-lint: $(PY) pyproject.toml
 	@echo "Installing the program and its lint tools into .venv ..." >&2
 	@$(INSTALL) ".[html,lint]"
+	@$(COMPILE)
 	@touch .venv/installed $@
 
 $(PY):
