@@ -104,7 +104,7 @@ def _design(scale: Scale, home: str) -> Run:
 def _run(command: list[str], home: str | None = None) -> Run:
     done = subprocess.run(
         [sys.executable, "-m", "benchmarks.clock", *command],
-        env=_environment(home) if home else None,
+        env=_environment(home),
         capture_output=True,
         text=True,
         check=False,
@@ -114,9 +114,17 @@ def _run(command: list[str], home: str | None = None) -> Run:
     return Run(*map(float, done.stdout.split()))
 
 
-def _environment(home: str) -> dict[str, str]:
-    """Return the environment with a cache of its own, where systems look for it."""
-    return {**os.environ, "XDG_CACHE_HOME": home, "HOME": home}
+def _environment(home: str | None) -> dict[str, str]:
+    """Return a user's environment, with a cache in `home`, where systems look for it.
+
+    Python is to keep what it compiles, as it does unless a setting forbids it: each
+    process would else compile all it imports, which says nothing of the program.
+    """
+    environment = dict(os.environ)
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    if home is not None:
+        environment |= {"XDG_CACHE_HOME": home, "HOME": home}
+    return environment
 
 
 def _median(runs: list[Run]) -> float:
