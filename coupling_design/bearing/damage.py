@@ -74,11 +74,22 @@ def damage_increment(
     A term of [1] eq. (14), [2]; see `PAPER_UNIT`. [1] says that small loads may be
     neglected, yet its final D, all of small loads by its own limit, is not zero.
     """
-    l = revolutions(speed, time_step)  # noqa: E741  the source's symbol
     L_p = modified_rating_life(load, speed, bearing, lubrication, reliability)
+    increment = share_of_life(speed, time_step, L_p)
     if small_loads_do_damage:
-        return l / L_p
-    return op.where(load < minimum_load(bearing), 0, l / L_p)
+        return increment
+    return op.where(load < minimum_load(bearing), 0, increment)
+
+
+def share_of_life(speed: Scalar, time_step: Scalar, life: Scalar) -> Scalar:
+    """Return the share l / L_p of a life [revolutions] that one step takes [-].
+
+    Notes
+    -----
+    A term of [1] eq. (14), [2].
+    """
+    l, L_p = revolutions(speed, time_step), life  # noqa: E741  the source's symbol
+    return l / L_p
 
 
 def miner_damage(

@@ -193,9 +193,21 @@ def modified_rating_life(
     """
     kappa = viscosity_ratio(lubrication.viscosity, speed, bearing)
     e_C = contamination_factor(kappa, bearing.pitch_diameter, lubrication.cleanliness)
-    a_1 = reliability_factor(reliability)
     a_ISO = life_modification_factor(load, kappa, e_C, bearing)
-    L_10 = basic_rating_life(load, bearing)
+    return modified_life(a_ISO, basic_rating_life(load, bearing), reliability)
+
+
+def modified_life(
+    life_modification_factor: Scalar, basic_rating_life: Scalar, reliability: float
+) -> Scalar:
+    """Return L_p [revolutions] of a_ISO and L_10: `modified_rating_life` in its parts.
+
+    Notes
+    -----
+    [1] clause 9, [2] eq. (12).
+    """
+    a_1, a_ISO = reliability_factor(reliability), life_modification_factor
+    L_10 = basic_rating_life
     return a_1 * a_ISO * L_10
 
 
