@@ -61,7 +61,7 @@ UNITS = {
     "driving_inertia": "kg*m^2",
     "driven_inertia": "kg*m^2",
 }
-_LIBRARIES = ("casadi", "numpy", "scipy", "pydantic", "pint", "PyYAML", "rich")
+_LIBRARIES = ("casadi", "numpy", "pydantic", "pint", "PyYAML", "rich")
 
 
 def build_document(outcome: DesignOutcome) -> dict[str, Any]:
