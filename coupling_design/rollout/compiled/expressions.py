@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from collections.abc import Callable
 from functools import partial
 
@@ -42,7 +43,8 @@ class Expressions:
     def __init__(self, graph: Graph, outputs: list[int], parts: Parts) -> None:
         self.graph = graph
         self.constants: list[float] = []
-        self._fused = _products_to_fuse(graph, outputs, parts)
+        self._taken_in = _products_to_fuse(graph, outputs, parts)
+        self._absent = set(self._taken_in.values())
 
     def name(self, place: int, vector: int) -> str:
         """Return how C calls a value."""
@@ -57,17 +59,18 @@ class Expressions:
         if value.kind == "tanh":
             names: list[Name] = [partial(self.name, vector=v) for v in vectors]
             return group_statements(self.graph, grouped(self.graph, task), names)
-        if value.kind == "constant" or task[0] in self._fused:
+        if value.kind == "constant" or task[0] in self._absent:
             return []
         kind = "Mask" if value.kind in MASKS else "Real"
         kind = "Wave" if value.kind in _PAIRS else kind
         return [
             f"const {kind} {self.name(task[0], vector)} = "
-            f"{self._expression(value, vector)};"
+            f"{self._expression(task[0], vector)};"
             for vector in vectors
         ]
 
-    def _expression(self, value: Value, vector: int) -> str:
+    def _expression(self, place: int, vector: int) -> str:
+        value = self.graph[place]
         if value.kind == "state":
             return f"s{int(value.number)}{'ab'[vector]}"
         if value.kind == "parameter":
@@ -78,9 +81,9 @@ class Expressions:
             return self.name(place, vector)
 
         if value.kind in ("add", "sub"):
-            fused = self._fused_expression(value, name)
-            if fused:
-                return fused
+            product = self._taken_in.get(place)
+            if product is not None:
+                return self._fused_expression(value, product, name)
         names = [name(arg) for arg in value.args]
         if value.kind in ("fmax", "fmin"):
             return self._extreme(value, names)
@@ -108,16 +111,14 @@ class Expressions:
             return f"lane_{value.kind}({', '.join(names)})"
         return f"{'larger' if value.kind == 'fmax' else 'smaller'}({', '.join(names)})"
 
-    def _fused_expression(self, value: Value, name: Callable[[int], str]) -> str:
+    def _fused_expression(
+        self, value: Value, product: int, name: Callable[[int], str]
+    ) -> str:
         left, right = value.args
-        minus = "-" if value.kind == "sub" else ""
-        if left in self._fused and left != right:
-            a, b = (name(arg) for arg in self.graph[left].args)
-            return f"fused({a}, {b}, {minus}{name(right)})"
-        if right in self._fused and left != right:
-            a, b = (name(arg) for arg in self.graph[right].args)
-            return f"fused({minus}{a}, {b}, {name(left)})"
-        return ""
+        a, b = (name(arg) for arg in self.graph[product].args)
+        if product == left:
+            return f"fused({a}, {b}, {'-' if value.kind == 'sub' else ''}{name(right)})"
+        return f"fused({'-' if value.kind == 'sub' else ''}{a}, {b}, {name(left)})"
 
     def _constant(self, number: float) -> str:
         if number in (0.0, 1.0, -1.0, 2.0, 0.5):
@@ -127,16 +128,25 @@ class Expressions:
         return f"splat(constants[{self.constants.index(number)}])"
 
 
-def _products_to_fuse(graph: Graph, outputs: list[int], parts: Parts) -> set[int]:
-    """Return the products used once, in a sum of their own part."""
-    uses, fused = graph.uses(outputs), set()
+def _products_to_fuse(graph: Graph, outputs: list[int], parts: Parts) -> dict[int, int]:
+    """Return the product that each sum takes in, by the sum's place.
+
+    A product is taken in by all that use it, sums of its own part, or by none.
+    """
+    uses, taken = graph.uses(outputs), {}
     for part in (parts.motion, parts.effects, parts.adding):
         members = set(part)
         for place in part:
             if graph[place].kind not in ("add", "sub"):
                 continue
-            for arg in sorted(graph[place].args, reverse=True):
-                if arg in members and graph[arg].kind == "mul" and uses[arg] == 1:
-                    fused.add(arg)
-                    break
-    return fused
+            products = [
+                arg
+                for arg in sorted(set(graph[place].args), reverse=True)
+                if arg in members and graph[arg].kind == "mul"
+            ]
+            if products:
+                taken[place] = min(products, key=lambda product: uses[product])
+    times = Counter(taken.values())
+    return {
+        p: product for p, product in taken.items() if times[product] == uses[product]
+    }

@@ -26,6 +26,7 @@ from coupling_design.rollout.compiled.harmonics import share_harmonics
 from coupling_design.rollout.compiled.products import gather_products
 from coupling_design.rollout.compiled.reading import UnknownOperationError, read_step
 from coupling_design.rollout.compiled.store import load_library
+from coupling_design.rollout.compiled.sums import gather_sums
 from coupling_design.rollout.compiled.writing import Kernel, write_kernel
 
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
@@ -127,7 +128,7 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
     try:
         compiler = find_compiler()
         graph, outputs = gather_products(*read_step(step))
-        kernel = write_kernel(*share_harmonics(graph, outputs))
+        kernel = write_kernel(*gather_sums(*share_harmonics(graph, outputs)))
         march = CompiledMarch(
             kernel, compiler, step.size1_in(0), step.size1_in(1), n_steps
         )
