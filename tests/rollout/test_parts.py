@@ -87,4 +87,8 @@ def test_the_two_edges_of_a_gap_are_a_pair(step):
     )
     group = grouped(graph, tangents)
     assert len(group.pairs) == len(group.single) == 1
-    assert set(tangents) == {*group.pairs[0], *group.single}
+    edges = group.pairs[0]
+    assert set(tangents) == {edges.minus, edges.plus, *group.single}
+    assert graph[graph[graph[edges.minus].args[0]].args[1]].kind == "sub" or (
+        graph[graph[graph[edges.minus].args[0]].args[0]].kind == "sub"
+    )

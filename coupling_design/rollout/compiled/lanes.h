@@ -134,5 +134,15 @@ INLINE Real root(Real x) { return (Real){__builtin_sqrt(x[0]), __builtin_sqrt(x[
 INLINE Real magnitude(Real x) { return real(bits(x) & ~SIGN_BIT); }
 INLINE Real with_sign(Real x, Real sign) { return real((bits(x) & ~SIGN_BIT) | (bits(sign) & SIGN_BIT)); }
 
+#if LANES == 4
+INLINE Real by_sign(Real x, Real below, Real above) { return (Real)_mm256_blendv_pd((__m256d)above, (__m256d)below, (__m256d)x); }
+#elif LANES == 8
+INLINE Real by_sign(Real x, Real below, Real above) { return choose(_mm512_movepi64_mask((__m512i)x), below, above); }
+#elif LANES == 1
+INLINE Real by_sign(Real x, Real below, Real above) { return signbit(x) ? below : above; }
+#else
+INLINE Real by_sign(Real x, Real below, Real above) { return choose((Mask)(bits(x) < 0), below, above); }
+#endif
+
 INLINE Real load(const double *from) { Real x; memcpy(&x, from, sizeof x); return x; }
 INLINE void store(double *to, Real x) { memcpy(to, &x, sizeof x); }

@@ -1,8 +1,10 @@
 """Hyperbolic tangents in groups, as most of them have long come to 1 or -1.
 
-A contact's smoothed edge asks for two, at the near and at the far edge of its gap. Only
-one can be within its reach at a time, so the nearer is computed, and all others of the
-group are tested for having reached their end, at once.
+A contact with a gap asks for two, at either edge. Both are odd, so the sign of the
+deflection x tells which edge is the near one: that of |x| - p is computed, that of
+|x| + p is 1 wherever the gap is wider than the reach of its edges, which does not
+change from step to step. All others of a group are tested for having reached their end
+at once.
 """
 
 from __future__ import annotations
@@ -17,39 +19,51 @@ Name = Callable[[int], str]
 
 
 @dataclass(frozen=True)
+class Edges:
+    """Two tangents, of scale (x - p) and of scale (x + p)."""
+
+    minus: int
+    plus: int
+    x: int
+    p: int
+    scale: int
+
+
+@dataclass(frozen=True)
 class Group:
     """Tangents that do not wait for each other: pairs of edges, and single ones."""
 
-    pairs: tuple[tuple[int, int], ...]
+    pairs: tuple[Edges, ...]
     single: tuple[int, ...]
 
 
 def grouped(graph: Graph, places: tuple[int, ...]) -> Group:
-    """Return a group with its pairs: arguments that keep their distance."""
-    left, pairs = list(places), []
-    while left:
-        first = left.pop(0)
-        edge = _edge(graph, first)
-        partner = next((p for p in left if edge and _edge(graph, p) == edge), None)
-        if partner is not None:
-            left.remove(partner)
-            pairs.append((first, partner))
-    paired = {place for pair in pairs for place in pair}
-    return Group(tuple(pairs), tuple(p for p in places if p not in paired))
+    """Return a group with its pairs."""
+    minus = {edge: place for place in places if (edge := _edge(graph, place, "sub"))}
+    plus = {edge: place for place in places if (edge := _edge(graph, place, "add"))}
+    both = [edge for edge in minus if edge in plus]
+    pairs = tuple(Edges(minus[edge], plus[edge], *edge) for edge in both)
+    paired = {place for pair in pairs for place in (pair.minus, pair.plus)}
+    return Group(pairs, tuple(place for place in places if place not in paired))
 
 
-def _edge(graph: Graph, place: int) -> tuple[int, int] | None:
-    """Return (scale, moving value) of an argument scale (value +- fixed), or None."""
+def _edge(graph: Graph, place: int, kind: str) -> tuple[int, int, int] | None:
+    """Return (x, p, scale) of an argument scale (x +- p), None if it is none.
+
+    p and the scale, a positive constant, do not move.
+    """
     argument = graph[graph[place].args[0]]
     if argument.kind != "mul":
         return None
     for scale, distance in (argument.args, argument.args[::-1]):
         value = graph[distance]
-        if graph[scale].moves or value.kind not in ("add", "sub"):
+        if value.kind != kind or not graph.is_constant(scale):
             continue
-        moving = [arg for arg in value.args if graph[arg].moves]
-        if len(moving) == 1:
-            return scale, moving[0]
+        x, p = value.args
+        if kind == "add" and not graph[x].moves:
+            x, p = p, x
+        if graph[x].moves and not graph[p].moves and graph[scale].number > 0:
+            return x, p, scale
     return None
 
 
@@ -59,26 +73,40 @@ def group_statements(graph: Graph, group: Group, names: list[Name]) -> list[str]
     The test is of all lanes at once; a tangent at its end is 1 or -1 to the last bit
     either way, so lanes do not depend on each other.
     """
-    before, after = [], []
-    tested: list[tuple[str, str]] = []
-    for (one, other), name in product(group.pairs, names):
-        a, b = (name(graph[place].args[0]) for place in (one, other))
-        v, w = name(one), name(other)
-        before += [
-            f"const Mask {v}_nearer = less(magnitude({a}), magnitude({b}));",
-            f"const Real {v}_near = tanh_of_near(choose({v}_nearer, {a}, {b}));",
-            f"const Real {v}_beyond = choose({v}_nearer, {b}, {a});",
-        ]
-        tested.append((f"{v}_far", f"{v}_beyond"))
-        after += [
-            f"const Real {v} = choose({v}_nearer, {v}_near, {v}_far);",
-            f"const Real {w} = choose({v}_nearer, {v}_far, {v}_near);",
-        ]
-    tested += [
+    pairs = [
+        line
+        for pair in group.pairs
+        for write in (_near, _far, _either)
+        for name in names
+        for line in write(pair, name)
+    ]
+    single = [
         (name(place), name(graph[place].args[0]))
         for place, name in product(group.single, names)
     ]
-    return [*before, *_tested(tested), *after]
+    return [*pairs, *_tested(single)]
+
+
+def _near(pair: Edges, name: Name) -> list[str]:
+    v, x, p, scale = (name(n) for n in (pair.minus, pair.x, pair.p, pair.scale))
+    return [f"const Real {v}_near = tanh_at_edge({scale} * (magnitude({x}) - {p}));"]
+
+
+def _far(pair: Edges, name: Name) -> list[str]:
+    v, x, p, scale = (name(n) for n in (pair.minus, pair.x, pair.p, pair.scale))
+    return [
+        f"Real {v}_far = splat(1);",
+        f"if (!likely(every(at_end_above({scale} * {p})))) "
+        f"{v}_far = tanh_beyond({scale} * (magnitude({x}) + {p}));",
+    ]
+
+
+def _either(pair: Edges, name: Name) -> list[str]:
+    v, w, x = (name(n) for n in (pair.minus, pair.plus, pair.x))
+    return [
+        f"const Real {v} = by_sign({x}, -{v}_far, {v}_near);",
+        f"const Real {w} = by_sign({x}, -{v}_near, {v}_far);",
+    ]
 
 
 def _tested(tangents: list[tuple[str, str]]) -> list[str]:
