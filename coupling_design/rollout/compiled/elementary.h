@@ -62,16 +62,46 @@ INLINE Real lane_tanh(Real x)
 /* The same where it mostly is at its end: apart, so that it takes no registers. */
 static __attribute__((noinline, cold)) Real tanh_within(Real x) { return lane_tanh(x); }
 
+/* 2^y for |y| <= 1000, or NaN: within 2 units in the last place, and mostly additions,
+ * for which a processor has pipes beside those of its products. */
+INLINE Real power_of_two(Real y)
+{
+    Real shifted = y + splat(ROUNDER);
+    Real r = (y - (shifted - splat(ROUNDER))) * splat(0x1.62e42fefa39efp-1);
+    Real power = fused(r * r, exp_tail(r), r) + splat(1);
+    return real(bits(power) + SHIFT_LEFT(bits(shifted), 52));
+}
+#define TO_POWER_OF_TWO splat(2 * 0x1.71547652b82fep0) /* exp 2 x = 2^(this x) */
+
 /* tanh x = 1 - 2 / (1 + exp 2 x) to 2e-16 of 1: where it is multiplied by a distance that
  * vanishes with x, or added to 1. Far from zero it is 1 or -1 to the last bit too. */
 INLINE Real tanh_at_edge(Real x)
 {
     Real held = larger(splat(-22), smaller(splat(22), x)); /* NaN stays */
-    Real e = lane_exp_of_moderate(held + held);
-    return splat(1) - splat(2) / (splat(1) + e);
+    return splat(1) - splat(2) / (splat(1) + power_of_two(held * TO_POWER_OF_TWO));
 }
 INLINE Mask at_end_above(Real x) { return less(splat(22), x); }
 static __attribute__((noinline, cold)) Real tanh_beyond(Real x) { return tanh_at_edge(x); }
+
+/* How far a contact at either end of a gap 2 p is pressed at x, its edges smoothed by
+ * tanh of k times the distance: what `contacts.py` says. */
+INLINE Real share_beyond(Real k, Real distance) /* exp(-2 k distance) */
+{
+    Real y = (k * -TO_POWER_OF_TWO) * distance;
+    return power_of_two(larger(splat(-900), smaller(splat(900), y))); /* NaN stays */
+}
+static __attribute__((noinline, cold)) Real pressed_at_other_edge(Real x, Real p, Real k)
+{
+    Real r = magnitude(x) + p, e = share_beyond(k, r);
+    return keep(not(at_end_above(k * p)), r * (e / (splat(1) + e)));
+}
+INLINE Real lane_pressed(Real x, Real p, Real k)
+{
+    Real l = magnitude(x) - p;
+    Real f = l / (splat(1) + share_beyond(k, l));
+    if (!likely(every(at_end_above(k * p)))) f = f + pressed_at_other_edge(x, p, k);
+    return real(bits(f) ^ (bits(x) & SIGN_BIT));
+}
 
 /* x = 2^k m, m in [sqrt(1/2), sqrt(2)); log m = 2 artanh((m - 1) / (m + 1)). */
 INLINE Real lane_log_of_normal(Real x) /* at least the smallest normal number, or NaN */

@@ -22,6 +22,7 @@ from coupling_design.rollout.compiled.compiler import (
     CompilerError,
     find_compiler,
 )
+from coupling_design.rollout.compiled.contacts import find_contacts
 from coupling_design.rollout.compiled.harmonics import share_harmonics
 from coupling_design.rollout.compiled.products import gather_products
 from coupling_design.rollout.compiled.reading import UnknownOperationError, read_step
@@ -128,7 +129,9 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
     try:
         compiler = find_compiler()
         graph, outputs = gather_products(*read_step(step))
-        kernel = write_kernel(*gather_sums(*share_harmonics(graph, outputs)))
+        for rewrite in (share_harmonics, find_contacts, gather_sums):
+            graph, outputs = rewrite(graph, outputs)
+        kernel = write_kernel(graph, outputs)
         march = CompiledMarch(
             kernel, compiler, step.size1_in(0), step.size1_in(1), n_steps
         )

@@ -12,7 +12,16 @@ from collections.abc import Iterable
 from coupling_design.rollout.compiled.graph import Graph
 
 # Cycles until a value is there, as measured on several processors, roughly.
-_WAIT = {"sin": 55, "cos": 55, "log": 100, "exp": 58, "div": 15, "sqrt": 25, "tanh": 90}
+_WAIT = {
+    "sin": 55,
+    "cos": 55,
+    "log": 100,
+    "exp": 58,
+    "div": 15,
+    "sqrt": 25,
+    "tanh": 90,
+    "pressed": 90,
+}
 _USUAL_WAIT = 4
 
 Task = tuple[int, ...]

@@ -39,15 +39,15 @@ class Group:
 
 def grouped(graph: Graph, places: tuple[int, ...]) -> Group:
     """Return a group with its pairs."""
-    minus = {edge: place for place in places if (edge := _edge(graph, place, "sub"))}
-    plus = {edge: place for place in places if (edge := _edge(graph, place, "add"))}
+    minus = {edge: place for place in places if (edge := edge_of(graph, place, "sub"))}
+    plus = {edge: place for place in places if (edge := edge_of(graph, place, "add"))}
     both = [edge for edge in minus if edge in plus]
     pairs = tuple(Edges(minus[edge], plus[edge], *edge) for edge in both)
     paired = {place for pair in pairs for place in (pair.minus, pair.plus)}
     return Group(pairs, tuple(place for place in places if place not in paired))
 
 
-def _edge(graph: Graph, place: int, kind: str) -> tuple[int, int, int] | None:
+def edge_of(graph: Graph, place: int, kind: str) -> tuple[int, int, int] | None:
     """Return (x, p, scale) of an argument scale (x +- p), None if it is none.
 
     p and the scale, a positive constant, do not move.

@@ -84,17 +84,20 @@ class _Gatherer:
         """Add a value times a factor to a sum, taken apart if that pays."""
         if self.old.is_constant(place):
             gathered.constant += factor * self.old[place].number
-        elif place in self.sums and self._opens(place, factor):
+        elif place not in self.sums:
+            gathered.add(_Sum(0.0, {place: 1.0}), factor)
+        elif self.sums[place].is_one_value and self.uses[place] == 1:
+            ((inner, own_factor),) = self.sums[place].factors.items()
+            self._include(gathered, inner, factor * own_factor)
+        elif self._opens(place, factor):
             gathered.add(self.sums[place], factor)
         else:
             gathered.add(_Sum(0.0, {place: 1.0}), factor)
 
     def _opens(self, place: int, factor: float) -> bool:
         own = self.sums[place]
-        if own.is_one_value:
-            return True
         if self.uses[place] > 1:
-            return False
+            return own.is_one_value
         return abs(factor) == 1.0 or own.has_factors_only
 
     def _needed(self, outputs: list[int]) -> list[int]:
