@@ -6,9 +6,9 @@ A point is (torsional stiffness [N m/rad], key gap [m]).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import casadi as ca
 import numpy as np
@@ -83,17 +83,31 @@ class Evaluator:
         self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
     ) -> tuple[Performance, ...]:
         """Return the performances at many points, in their order."""
+        return self.performances_of(points, self.prepare(points, start_offset)(None))
+
+    def prepare(
+        self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
+    ) -> Callable[[int | None], FloatArray]:
+        """Return what rolls out many points with so many threads, to their ends.
+
+        Everything else is done here, and counted: what is returned is the march alone,
+        which touches nothing that another thread may be building.
+        """
         columns = np.asarray(points, dtype=np.float64).T
         starts = np.asarray(self._start(columns)[0])
         starts[0] += start_offset
         self.rollouts += len(points)
-        ends = self._march(starts, columns)[-len(TOTALS) :]
-        for point, totals in zip(points, ends.T, strict=True):
+        return partial(self._march, starts, columns)
+
+    def performances_of(
+        self, points: Sequence[tuple[float, float]], ends: FloatArray
+    ) -> tuple[Performance, ...]:
+        """Return the performances at points whose rollouts ended so."""
+        found = []
+        for point, totals in zip(points, ends[-len(TOTALS) :].T, strict=True):
             self._check_finite(totals, *point)
-        return tuple(
-            self.read(*point, totals.tolist())
-            for point, totals in zip(points, ends.T, strict=True)
-        )
+            found.append(self.read(*point, totals.tolist()))
+        return tuple(found)
 
     def history(self, torsional_stiffness: float, key_gap: float) -> History:
         """Return the run-down at a point in full; the last two asked for are kept.
