@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import closing
 
 from coupling_design.bearing.contact_stress import strict_transmission_force
 from coupling_design.case.case import Case, ConnectionKind, LoadLimitReading
@@ -17,7 +18,11 @@ from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
 from coupling_design.design.coupling_checks import size_criteria, torque_criteria
 from coupling_design.design.discrete import choose_size, settle
-from coupling_design.design.histories import chosen_map, rundown_history
+from coupling_design.design.histories import (
+    chosen_plane,
+    rundown_history,
+    steps_with_maps,
+)
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
@@ -69,30 +74,39 @@ def run_design(
     """
     began = time.perf_counter()
     check_time_step(case)
-    bench = Workbench(case, progress)
-    progress("present coupling")
-    state = FlowState(case, bench, evaluate_baseline(bench))
-    bench.effort = effort or (CLOSE if bench.is_compiled else COARSE)
-    for number, stage in enumerate(STAGES, start=1):
-        bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
-        state = stage(state)
+    with closing(Workbench(case, progress)) as bench:
+        progress("present coupling")
+        state = FlowState(case, bench, evaluate_baseline(bench))
+        bench.effort = effort or (CLOSE if bench.is_compiled else COARSE)
+        for number, stage in enumerate(STAGES, start=1):
+            bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
+            state = stage(state)
+        return _outcome(state, began)
+
+
+def _outcome(state: FlowState, began: float) -> DesignOutcome:
+    """Return what the steps came to, once the rows in the background are there."""
+    case, bench = state.case, state.bench
     choice = choose_size(state)
     state = settle(state, choice)
+    plane = chosen_plane(state, state.solution) if state.solution else None
     chosen = _chosen(state, state.solution) if state.solution else None
     nearest = None if chosen else state.nearest
     shown = chosen or nearest
-    mapped = chosen_map(state, state.solution) if state.solution else None
+    histories = _histories(state, chosen, nearest)
+    if state.surveys or plane:
+        bench.progress("finishing the map")
     return DesignOutcome(
         case=case,
         baseline=state.baseline,
-        steps=state.steps,
+        steps=steps_with_maps(state),
         chosen=chosen,
         strict_reading=_strict_reading(case, shown.performance) if shown else None,
         nearest=nearest,
         nearest_criteria=_nearest_criteria(state) if nearest else (),
         assumptions=case.assumptions,
-        histories=_histories(state, chosen, nearest),
-        chosen_map=mapped,
+        histories=histories,
+        chosen_map=plane.design_map() if plane else None,
         engine=bench.engine,
         rollouts=bench.rollouts,
         coarse_rollouts=bench.coarse_rollouts,

@@ -22,11 +22,11 @@ from coupling_design.bearing.lubrication import (
 )
 from coupling_design.case.case import Case
 from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.results import DesignMap, Performance
+from coupling_design.design.results import Performance, StepResult
 from coupling_design.design.search import problem
 from coupling_design.design.signals import BearingHistory, RundownHistory
 from coupling_design.design.state import FlowState, Solution, gap_nearest_present
-from coupling_design.design.survey import survey
+from coupling_design.design.survey import Survey, survey
 from coupling_design.driveline.detrending import collision_force
 from coupling_design.driveline.history import History
 from coupling_design.driveline.resonance import largest_swing
@@ -57,14 +57,13 @@ def rundown_history(
     )
 
 
-def chosen_map(state: FlowState, solution: Solution) -> DesignMap | None:
-    """Return the plane of the chosen coupling, None where a step has mapped it.
+def chosen_plane(state: FlowState, solution: Solution) -> Survey | None:
+    """Return the plane of the chosen coupling, None where a step has surveyed it.
 
     None too without machine code: a figure is not worth the wait then.
     """
-    label = solution.candidate.label
-    known = {map_.name for step in state.steps for map_ in step.maps}
-    if label in known or not state.bench.is_compiled:
+    known = {plane.name for _, plane in state.surveys}
+    if solution.candidate.label in known or not state.bench.is_compiled:
         return None
     option = solution.candidate.connection
     space = DesignSpace(
@@ -76,7 +75,20 @@ def chosen_map(state: FlowState, solution: Solution) -> DesignMap | None:
     program = problem(
         bench, solution.candidate, space, Objective.DAMAGE, solution.constraints
     )
-    return survey(bench, program).design_map(label)
+    return survey(bench, program)
+
+
+def steps_with_maps(state: FlowState) -> tuple[StepResult, ...]:
+    """Return the steps, each with the maps of its surveys, waiting for their rows."""
+    return tuple(
+        replace(
+            step,
+            maps=tuple(
+                plane.design_map() for n, plane in state.surveys if n == step.step
+            ),
+        )
+        for step in state.steps
+    )
 
 
 def _bearing_history(case: Case, history: History, k: int) -> BearingHistory:

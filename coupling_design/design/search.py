@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from coupling_design.case.case import Case, ConnectionKind
+from coupling_design.design.background import Background
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.problem import (
@@ -45,11 +46,15 @@ CLOSE = Effort(64, 32, 16, 8, 3)
 
 @dataclass
 class Workbench:
-    """The evaluators of a case, each built once, and what the search may cost."""
+    """The evaluators of a case, each built once, and what the search may cost.
+
+    `background` takes the rollouts that can wait; `close` gives up those left.
+    """
 
     case: Case
     progress: Progress
     effort: Effort = COARSE
+    background: Background = field(default_factory=Background)
     _evaluators: dict[Candidate, Evaluator] = field(default_factory=dict)
 
     def evaluator(self, candidate: Candidate) -> Evaluator:
@@ -57,6 +62,10 @@ class Workbench:
         if candidate not in self._evaluators:
             self._evaluators[candidate] = Evaluator(self.case, candidate)
         return self._evaluators[candidate]
+
+    def close(self) -> None:
+        """Give up the rollouts in the background that have not begun."""
+        self.background.close()
 
     @property
     def rollouts(self) -> int:

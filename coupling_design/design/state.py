@@ -15,6 +15,7 @@ from coupling_design.design.candidate import Candidate
 from coupling_design.design.problem import Constraint
 from coupling_design.design.results import Baseline, Optimum, StepResult
 from coupling_design.design.search import Workbench
+from coupling_design.design.survey import Survey
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,8 @@ class FlowState:
     """The design flow after some of its steps; a step returns a new one.
 
     `elastic` and `stiff` are the types left for either plan; `solution` is None until
-    a step has found a design; `nearest` is the best of those that failed.
+    a step has found a design; `nearest` is the best of those that failed. `surveys`,
+    each with the number of its step, become the steps' maps at the end of the flow.
     """
 
     case: Case
@@ -52,6 +54,7 @@ class FlowState:
     steps: tuple[StepResult, ...] = ()
     solution: Solution | None = None
     nearest: Optimum | None = None
+    surveys: tuple[tuple[int, Survey], ...] = ()
 
     def after(self, result: StepResult, **changes: object) -> FlowState:
         """Return the state with a step's result and whatever it changes."""

@@ -1,14 +1,17 @@
 """The whole stiffness x gap plane of a candidate, rolled out before any optimiser.
 
 The rows at the smallest and the largest gap, from which a step goes on, have the case's
-own time step. Those between may have a longer one, whose error is measured.
+own time step. Those between may have a longer one, whose error is measured; no decision
+rests on them, so they are rolled out in the background until somebody asks for them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
+from coupling_design.design.background import Deferred
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.problem import DesignProblem
 from coupling_design.design.reach import reachable_stiffness
@@ -32,31 +35,55 @@ Row = tuple[Performance, ...]
 class Survey:
     """Performances over stiffness, row by row from the smallest gap to the largest.
 
-    `coarse` says which step the rows between have, None where it is the case's own.
+    `outer` are the first and the last row, or the only one. `coarse` says which step
+    the rows between have, None where it is the case's own. Only `rows` and the map
+    wait for the rows between.
     """
 
-    rows: tuple[Row, ...]
+    evaluator: Evaluator
+    outer: tuple[Row, ...]
+    between: tuple[Deferred, ...] = ()
     coarse: CoarseStep | None = None
+
+    @property
+    def name(self) -> str:
+        """The candidate's label."""
+        return self.evaluator.candidate.label
 
     @property
     def smallest_gap(self) -> Row:
         """The scan over stiffness at the smallest gap."""
-        return self.rows[0]
+        return self.outer[0]
 
     @property
     def largest_gap(self) -> Row:
         """The scan over stiffness at the largest gap."""
-        return self.rows[-1]
+        return self.outer[-1]
+
+    @property
+    def n_gaps(self) -> int:
+        """How many rows there are."""
+        return len(self.outer) + len(self.between)
 
     @property
     def longest_step(self) -> int:
         """How many times longer a time step is known to do."""
         return self.coarse.times if self.coarse else 1
 
-    def design_map(self, name: str) -> DesignMap:
+    @cached_property
+    def rows(self) -> tuple[Row, ...]:
+        """All rows.
+
+        Raises SimulationError where a row leaves finite numbers at the case's own step.
+        """
+        # From the last to the first, to meet the background, which goes the other way.
+        between = [self._row(deferred) for deferred in reversed(self.between)]
+        return (*self.outer[:1], *reversed(between), *self.outer[1:])
+
+    def design_map(self) -> DesignMap:
         """Return damage and peak over the plane, as plain numbers."""
         return DesignMap(
-            name=name,
+            name=self.name,
             torsional_stiffness=tuple(p.torsional_stiffness for p in self.rows[0]),
             key_gap=tuple(row[0].key_gap for row in self.rows),
             damage=tuple(tuple(p.damage for p in row) for row in self.rows),
@@ -67,9 +94,21 @@ class Survey:
             coarse=self.coarse,
         )
 
+    def _row(self, deferred: Deferred) -> Row:
+        """Return a row between; at the case's own step where a longer one diverges."""
+        try:
+            return deferred.performances()
+        except SimulationError:
+            if self.coarse is None:
+                raise
+        return self.evaluator.performances(deferred.points)
+
 
 def survey(bench: Workbench, program: DesignProblem) -> Survey:
-    """Return the survey of a program's plane, as far as natural frequency allows."""
+    """Return the survey of a program's plane, as far as natural frequency allows.
+
+    Its rows between the first and the last are still being rolled out.
+    """
     evaluator, space = program.evaluator, program.space
     left = reachable_stiffness(evaluator, program.constraints, space.stiffness)
     narrowed = replace(space, stiffness=left or space.stiffness)
@@ -80,33 +119,27 @@ def survey(bench: Workbench, program: DesignProblem) -> Survey:
     )
     n = effort.stiffnesses if narrowed.stiffness[1] > narrowed.stiffness[0] else 1
     rows = [points[i : i + n] for i in range(0, len(points), n)]
-    return _rolled_out(evaluator, rows)
+    return _rolled_out(bench, evaluator, rows)
 
 
 def _rolled_out(
-    evaluator: Evaluator, rows: list[tuple[tuple[float, float], ...]]
+    bench: Workbench,
+    evaluator: Evaluator,
+    rows: list[tuple[tuple[float, float], ...]],
 ) -> Survey:
     """Return the survey of a grid, its outer rows at the case's own step."""
-    between = [point for row in rows[1:-1] for point in row]
+    n, between = len(rows[0]), rows[1:-1]
     outer = [*rows[0], *rows[-1]] if len(rows) > 1 else [*rows[0]]
-    if not between:
-        return _survey(evaluator.performances(outer), len(rows[0]))
-    sample = rows[len(rows) // 2][::_CHECKED_EVERY]
+    sample = rows[len(rows) // 2][::_CHECKED_EVERY] if between else ()
     exact = evaluator.performances([*outer, *sample])
+    scans = tuple(exact[i : i + n] for i in range(0, len(outer), n))
+    if not between:
+        return Survey(evaluator, scans)
     checked = [*exact[: len(outer) : _CHECKED_EVERY], *exact[len(outer) :]]
     coarse = _longest_good_step(evaluator, checked)
-    if coarse is None:
-        inner = evaluator.performances(between)
-    else:
-        inner = evaluator.coarser(coarse.times).performances(between)
-    n = len(rows[0])
-    return _survey((*exact[:n], *inner, *exact[n : len(outer)]), n, coarse)
-
-
-def _survey(
-    found: tuple[Performance, ...], n: int, coarse: CoarseStep | None = None
-) -> Survey:
-    return Survey(tuple(found[i : i + n] for i in range(0, len(found), n)), coarse)
+    chosen = evaluator.coarser(coarse.times) if coarse else evaluator
+    deferred = tuple(bench.background.defer(chosen, row) for row in between)
+    return Survey(evaluator, scans, deferred, coarse)
 
 
 def _longest_good_step(

@@ -39,7 +39,8 @@ def test_every_row_has_the_same_stiffnesses_that_isolate(surveyed):
 
 def test_the_map_holds_the_survey(surveyed):
     _, plane = surveyed
-    drawn = plane.design_map("rubber, key")
+    drawn = plane.design_map()
+    assert drawn.name == "rubber, key"
     assert drawn.key_gap == (0.0, 1e-4)
     assert len(drawn.torsional_stiffness) == 10
     assert drawn.damage[1][3] == plane.rows[1][3].damage

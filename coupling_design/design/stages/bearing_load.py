@@ -16,7 +16,6 @@ from coupling_design.design.problem import (
 from coupling_design.design.results import (
     Alternative,
     Decision,
-    DesignMap,
     Optimum,
     StepResult,
 )
@@ -52,6 +51,7 @@ def limit_bearing_load(state: FlowState) -> FlowState:
             )
         )
     trials = [_examine(state, allowed) for allowed in state.elastic]
+    state = replace(state, surveys=tuple((3, trial.plane) for trial in trials))
     passing = [trial for trial in trials if trial.solution is not None]
     if passing:
         best = min(passing, key=lambda trial: trial.optimum.performance.damage)
@@ -72,7 +72,7 @@ class _Trial:
     load_ratio: float
     alternatives: tuple[Alternative, ...]
     findings: tuple[str, ...]
-    map: DesignMap
+    plane: Survey
     solution: Solution | None
 
 
@@ -100,7 +100,7 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
         load_ratio=ratio,
         alternatives=_evidence("at the present gap", lowest, ratio),
         findings=(_scan_finding(candidate, least_load, plane),),
-        map=plane.design_map(candidate.label),
+        plane=plane,
         solution=None,
     )
     if ratio > 1.0:
@@ -124,7 +124,7 @@ def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -
     valleys = count_valleys(program, plane.largest_gap)
     return (
         f"{candidate.label}: {len(plane.largest_gap)} stiffnesses from {low:.4g} to "
-        f"{high:.4g} MN*m/rad at each of {len(plane.rows)} gaps; at the present gap "
+        f"{high:.4g} MN*m/rad at each of {plane.n_gaps} gaps; at the present gap "
         f"damage has {valleys} valley{'' if valleys == 1 else 's'}."
     )
 
@@ -181,5 +181,4 @@ def _result(
         findings=tuple(f for trial in trials for f in trial.findings),
         caveats=_closed_gap_caveat(trials),
         optimum=shown.optimum,
-        maps=tuple(trial.map for trial in trials),
     )
