@@ -15,6 +15,7 @@ from pathlib import Path
 
 COMPILING = "of all that, compiling"
 MAP = "the 64 x 32 map of step 3"
+REST = "finishing that map"
 
 
 class Clock:
@@ -40,6 +41,8 @@ def _part_of(message: str) -> str:
     step, _, doing = message.rpartition(": ")
     if doing.startswith("mapping") and step.startswith("step 3"):
         return MAP
+    if doing.startswith("finishing"):
+        return REST
     if doing.startswith(("mapping", "histories", "run-down")):
         return "chosen run-down, its plane, histories"
     return f"searches of {step.partition(' of ')[0]}" if step else doing

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from benchmarks.machine import cores
 from benchmarks.scale import Scale
-from benchmarks.shares import COMPILING, MAP
+from benchmarks.shares import COMPILING, MAP, REST
 from benchmarks.table import Row, at_most, markdown
 
 COLD, WARM, MEMORY = 8.0, 4.0, 300.0  # s, s, MB
@@ -76,7 +76,7 @@ def shares(scale: Scale) -> dict[str, str]:
         (part, f"{cold[part]:.2f} s", f"{seconds:.2f} s", f"{seconds / total:.0%}")
         for part, seconds in warm.items()
     ]
-    mapping = warm.get(MAP, 0.0)
+    mapping = warm.get(MAP, 0.0) + warm.get(REST, 0.0)
     return {
         "shares": markdown(("part", "cold", "warm", "of warm"), lines),
         "map_seconds": f"{mapping:.1f}",
