@@ -123,7 +123,9 @@ class _Gatherer:
         terms = sorted((p, f) for p, f in gathered.factors.items() if f != 0.0)
         chain = constant(gathered.constant)
         if gathered.constant == 0.0 and terms:
-            first = next((term for term in terms if term[1] == 1.0), terms[0])
+            # A value taken off first would have to change its sign.
+            first = next((term for term in terms if term[1] != -1.0), terms[0])
+            first = next((term for term in terms if term[1] == 1.0), first)
             terms.remove(first)
             chain = apply("mul", constant(first[1]), self.new_places[first[0]])
         for place, factor in terms:
