@@ -29,6 +29,7 @@ _PATTERNS = {
     "cosine": "{0}.cosine",
 }
 _PAIRS = frozenset({"wave", "turned"})
+VECTORS = "abcd"  # those side by side, by a letter at the end of a name
 _IN_LANES_HEADER = MASKS | {"choose", "keep"}
 
 _MODERATE = 708  # exp of a number up to this size is neither infinite nor subnormal
@@ -51,7 +52,8 @@ class Expressions:
         value = self.graph[place]
         if value.kind == "constant":
             return self._constant(value.number)
-        return f"{'m' if value.kind in MASKS else 'v'}{place}{'ab'[vector]}"
+        letter = VECTORS[0 if value.is_shared else vector]
+        return f"{'m' if value.kind in MASKS else 'v'}{place}{letter}"
 
     def statements(self, task: Task, vectors: range) -> list[str]:
         """Return the C statements that compute a value, or a group of tangents."""
@@ -66,13 +68,13 @@ class Expressions:
         return [
             f"const {kind} {self.name(task[0], vector)} = "
             f"{self._expression(task[0], vector)};"
-            for vector in vectors
+            for vector in (vectors[:1] if value.is_shared else vectors)
         ]
 
     def _expression(self, place: int, vector: int) -> str:
         value = self.graph[place]
         if value.kind == "state":
-            return f"s{int(value.number)}{'ab'[vector]}"
+            return f"s{int(value.number)}{VECTORS[vector]}"
         if value.kind == "parameter":
             row = f"parameters + {int(value.number)} * stride"
             return f"load({row} + {vector} * LANES)"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from coupling_design.rollout.compiled.expressions import Expressions
+from coupling_design.rollout.compiled.expressions import VECTORS, Expressions
 from coupling_design.rollout.compiled.graph import Graph
 from coupling_design.rollout.compiled.order import Task, as_written, earliest_first
 from coupling_design.rollout.compiled.parts import Parts, in_parts, used_by
@@ -23,7 +23,7 @@ static void {name}(int64_t n_steps, int64_t width, int64_t stride,
     const double *constants, const double *parameters, const double *states,
     double *ends, double *history)
 {{
-    enum {{ STEPS = {steps}, ROW = (STEPS + 1) * {vectors} * LANES }};
+    enum {{ STEPS = {steps}, ROW = (STEPS + 2) * {vectors} * LANES }};
     double rows[{rows} * ROW];
     memset(rows, 0, sizeof rows);
 {before}
@@ -33,7 +33,7 @@ static void {name}(int64_t n_steps, int64_t width, int64_t stride,
 {recorded_motion}
 {motion}
         }}
-        for (int64_t at = 0; at < steps * width; at += {vectors} * LANES) {{
+        for (int64_t at = 0; at < steps * width; at += {affected} * LANES) {{
 {effects}
         }}
         for (int64_t at = 0; at < steps * width; at += width) {{
@@ -84,7 +84,7 @@ def write_kernel(graph: Graph, outputs: list[int]) -> Kernel:
     parts = in_parts(graph, outputs)
     writer = _Writer(graph, outputs, parts)
     source = writer.function("march_one", 1)
-    if len(parts.motion) > _LONGEST_MOTION_OF_TWO:
+    if writer.is_long:
         source += _MARCH.format(wider="", width="LANES")
     else:
         two = writer.function("march_two", 2)
@@ -103,6 +103,7 @@ class _Writer:
 
     def __init__(self, graph: Graph, outputs: list[int], parts: Parts) -> None:
         self.graph, self.outputs, self.parts = graph, outputs, parts
+        self.is_long = len(parts.motion) > _LONGEST_MOTION_OF_TWO
         self.expressions = Expressions(graph, outputs, parts)
         added = used_by(graph, parts.adding) | {outputs[i] for i in parts.totals}
         affecting = used_by(graph, parts.effects)
@@ -118,12 +119,15 @@ class _Writer:
     def function(self, name: str, vectors: int) -> str:
         """Return the function that marches this many vectors side by side."""
         each = range(vectors)
+        # Effects of two steps wait for nothing: as many again are side by side.
+        affected = range(vectors if self.is_long else 2 * vectors)
         steps = _ROOM // max(len(self.rows), 1) // vectors // 8 * 8
         n_states = range(len(self.outputs))
         order = as_written if vectors > 1 else earliest_first
         return _FUNCTION.format(
             name=name,
             vectors=vectors,
+            affected=len(affected),
             rows=max(len(self.rows), 1),
             steps=min(max(steps, _FEWEST_STEPS), _MOST_STEPS),
             recorded_motion=self._recorded(vectors, set(n_states) - self.parts.totals),
@@ -141,9 +145,9 @@ class _Writer:
             ),
             effects=_lines(
                 12,
-                self._all(each, self.to_effects, self._take),
-                self._tasks(each, earliest_first(self.graph, self.parts.effects)),
-                self._all(each, self.from_effects, self._keep),
+                self._all(affected, self.to_effects, self._take),
+                self._tasks(affected, earliest_first(self.graph, self.parts.effects)),
+                self._all(affected, self.from_effects, self._keep),
             ),
             adding=_lines(
                 12,
@@ -174,11 +178,11 @@ class _Writer:
         return [write(n, vector) for n in sorted(numbers) for vector in vectors]
 
     def _load_state(self, i: int, vector: int) -> str:
-        state = f"s{i}{'ab'[vector]}"
+        state = f"s{i}{VECTORS[vector]}"
         return f"Real {state} = load(states + {i} * stride + {vector} * LANES);"
 
     def _store_end(self, i: int, vector: int) -> str:
-        state = f"s{i}{'ab'[vector]}"
+        state = f"s{i}{VECTORS[vector]}"
         return f"store(ends + {i} * stride + {vector} * LANES, {state});"
 
     def _keep(self, place: int, vector: int) -> str:
@@ -189,7 +193,7 @@ class _Writer:
         return f"const Real {name} = load({row});"
 
     def _next(self, i: int, vector: int) -> str:
-        return f"s{i}{'ab'[vector]} = {self._name(self.outputs[i], vector)};"
+        return f"s{i}{VECTORS[vector]} = {self._name(self.outputs[i], vector)};"
 
     def _name(self, place: int, vector: int) -> str:
         return self.expressions.name(place, vector)
