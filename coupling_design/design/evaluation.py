@@ -22,8 +22,8 @@ from coupling_design.driveline.history import History, history_of
 from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
 from coupling_design.errors import SimulationError
+from coupling_design.rollout.divergence import steps_to_divergence
 from coupling_design.rollout.fastest import fastest_marcher
-from coupling_design.rollout.march import march
 from coupling_design.rollout.marcher import Marcher
 from coupling_design.rollout.sensitivities import (
     join_sensitivities,
@@ -43,18 +43,13 @@ class Evaluator:
     """
 
     def __init__(
-        self,
-        case: Case,
-        candidate: Candidate,
-        refinement: int = 1,
-        coarsening: int = 1,
+        self, case: Case, candidate: Candidate, refinement: int = 1, coarsening: int = 1
     ) -> None:
-        self.case = case
-        self.candidate = candidate
-        self.refinement = refinement
-        self.coarsening = coarsening
+        self.case, self.candidate = case, candidate
+        self.refinement, self.coarsening = refinement, coarsening
         self.rollouts = 0
         self._coarser: dict[int, Evaluator] = {}
+        self._performances: dict[float, dict[tuple[float, float], Performance]] = {}
         self._histories: dict[tuple[float, float], History] = {}
         self._known: dict[tuple[float, float], tuple[FloatArray, FloatArray]] = {}
 
@@ -82,8 +77,16 @@ class Evaluator:
     def performances(
         self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
     ) -> tuple[Performance, ...]:
-        """Return the performances at many points, in their order."""
-        return self.performances_of(points, self.prepare(points, start_offset)(None))
+        """Return the performances at many points, in their order.
+
+        Each is rolled out once and kept: again it would be the same to the last bit.
+        """
+        known = self._performances.setdefault(start_offset, {})
+        new = [point for point in dict.fromkeys(points) if point not in known]
+        if new:
+            ends = self.prepare(new, start_offset)(None)
+            known.update(zip(new, self.performances_of(new, ends), strict=True))
+        return tuple(known[point] for point in points)
 
     def prepare(
         self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
@@ -201,18 +204,12 @@ class Evaluator:
     def _check_finite(
         self, values: FloatArray, torsional_stiffness: float, key_gap: float
     ) -> None:
-        if not np.isfinite(values).all():
-            raise SimulationError(
-                self._describe_divergence(torsional_stiffness, key_gap)
-            )
-
-    def _describe_divergence(self, torsional_stiffness: float, key_gap: float) -> str:
+        if np.isfinite(values).all():
+            return
         point = ca.DM([torsional_stiffness, key_gap])
-        state, steps, chunk = self._start(point)[0], 0, max(self._n_steps // 1000, 1)
-        advance = march(self._step, chunk)
-        while steps < self._n_steps and np.isfinite(np.asarray(state)).all():
-            state, steps = advance(state, point), steps + chunk
-        return (
+        start = self._start(point)[0]
+        steps = steps_to_divergence(self._step, self._n_steps, start, point)
+        raise SimulationError(
             f"{self.case.file}: the run-down of {self.candidate.label} at "
             f"{torsional_stiffness:.6g} N*m/rad and a gap of {key_gap * 1e3:.4g} mm "
             f"left finite numbers by {steps * self.time_step:.4g} s, with a step of "
