@@ -22,6 +22,7 @@ ROWS = (
     "batch of 16, value against SIMD C",
     "the same with gradient against SIMD C",
     "two cores against one, batch",
+    "the same of SIMD C, two threads",
     "solve_ivp",
     "ten times the steps, time",
     "ten times the steps, memory",
