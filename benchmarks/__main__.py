@@ -10,6 +10,7 @@ from pathlib import Path
 
 from benchmarks import machine
 from benchmarks.designs import design_searches
+from benchmarks.integrator import solve_ivp_rows
 from benchmarks.interpreted import differentiated, interpreted
 from benchmarks.page import page
 from benchmarks.rollouts import many_rollouts, one_rollout, ten_times
@@ -39,6 +40,7 @@ def measure(scale: Scale) -> list[Row]:
     return [
         *one_rollout(subject, scale),
         *many_rollouts(subject, scale),
+        *solve_ivp_rows(subject, scale),
         ten_times(subject, scale),
         memory_of_steps(scale),
         *whole_design(scale),

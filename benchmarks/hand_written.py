@@ -7,6 +7,7 @@ import importlib.util
 import subprocess
 import tempfile
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from coupling_design.rollout.compiled.compiler import find_compiler
 March = Callable[[FloatArray, FloatArray], FloatArray]
 
 PEERS = Path(__file__).parent / "peers"
+_BLOCK = 16  # designs, of SIMD C
 FLAGS = ("-O3", "-march=native", "-ffast-math", "-shared", "-fPIC")
 
 
@@ -66,6 +68,22 @@ def simd_c(machine: FloatArray, n_steps: int) -> March:
         return ends
 
     return march
+
+
+def by_threads(march: March) -> Callable[[FloatArray, FloatArray, int], FloatArray]:
+    """Return a march by a number of threads: ctypes lets go of Python's lock.
+
+    They take the batch a few blocks at a time, so that none waits long for another.
+    """
+
+    def march_by(starts: FloatArray, points: FloatArray, threads: int) -> FloatArray:
+        width = 2 * _BLOCK
+        parts = [slice(i, i + width) for i in range(0, starts.shape[1], width)]
+        with ThreadPoolExecutor(threads) as pool:
+            ends = pool.map(lambda part: march(starts[:, part], points[:, part]), parts)
+            return np.concatenate(list(ends), axis=1)
+
+    return march_by
 
 
 def numba(machine: FloatArray, n_steps: int) -> March:

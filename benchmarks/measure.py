@@ -28,9 +28,14 @@ class Timings:
         return min(self.rounds[name]) / min(self.rounds[peer])
 
 
-def time_in_turns(things: Mapping[str, Callable[[], object]], rounds: int) -> Timings:
-    """Return how long each thing takes, each once a round after one for warming up."""
-    for thing in things.values():
+def time_in_turns(
+    things: Mapping[str, Callable[[], object]], rounds: int, *, warm_up: bool = True
+) -> Timings:
+    """Return how long each thing takes, each once a round after one for warming up.
+
+    What takes many seconds and has run before needs no warming up.
+    """
+    for thing in things.values() if warm_up else ():
         thing()
     taken: dict[str, list[float]] = {name: [] for name in things}
     for _ in range(rounds):

@@ -78,12 +78,18 @@ class Subject:
         )
         return self.at(points.T)
 
-    def at(self, points: Sequence[Sequence[float]] | FloatArray) -> Batch:
-        """Return the batch of given (stiffness, gap)."""
+    def at(
+        self,
+        points: Sequence[Sequence[float]] | FloatArray,
+        speed: float | None = None,
+    ) -> Batch:
+        """Return the batch of given (stiffness, gap).
+
+        It starts from the shutdown's speed, or another [rad/s].
+        """
         columns = np.array(points).T
-        start = joint_start(
-            self._driveline, self.case.shutdown.initial_speed, self._point
-        )
+        speed = speed or self.case.shutdown.initial_speed
+        start = joint_start(self._driveline, speed, self._point)
         both = [start(point) for point in columns.T]
         return Batch(
             columns,
