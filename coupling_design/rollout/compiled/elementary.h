@@ -172,20 +172,23 @@ typedef struct { Real sine, cosine; } Wave;
 INLINE Wave lane_wave(Real x) { return (Wave){lane_sin(x), lane_cos(x)}; }
 static __attribute__((noinline, cold)) Wave wave_anew(Real x) { return lane_wave(x); }
 
-/* Sine and cosine of x, from those of x - d: by short series for a small d, whose first
+/* Sine and cosine of x, from those of x - d: for |d| < 0.14 by short series, whose first
  * terms left out are below 1e-17, anew for others. */
 INLINE Wave lane_turned(Real s, Real c, Real d, Real x)
 {
-    Real z = d * d;
-    Real a = fused(z, splat(-1.0 / 5040), splat(1.0 / 120));
-    Real b = fused(z, splat(1.0 / 40320), splat(-1.0 / 720));
-    Real sine = fused(d * z, fused(z, a, splat(-1.0 / 6)), d);
-    Real versed = z * fused(z, fused(z, b, splat(1.0 / 24)), splat(-0.5)); /* cos d - 1 */
+    Real z = d * d, z2 = z * z;
+    Real a = fused(z, splat(1.0 / 120), splat(-1.0 / 6));
+    Real b = fused(z, splat(1.0 / 24), splat(-0.5));
+    Real a2 = fused(z, splat(1.0 / 362880), splat(-1.0 / 5040));
+    Real b2 = fused(z, splat(1.0 / 40320), splat(-1.0 / 720));
+    b2 = fused(z2, splat(-1.0 / 3628800), b2);
+    Real sine = fused(d * z, fused(z2, a2, a), d);
+    Real versed = z * fused(z2, b2, b); /* cos d - 1 */
     Wave w = {
         s + fused(c, sine, s * versed),
         c + fused(-s, sine, c * versed),
     };
-    Mask is_small = less(magnitude(d), splat(1.0 / 16));
+    Mask is_small = less(magnitude(d), splat(0.14));
     if (likely(every(is_small))) return w;
     Wave anew = wave_anew(x);
     return (Wave){choose(is_small, w.sine, anew.sine), choose(is_small, w.cosine, anew.cosine)};
