@@ -38,12 +38,16 @@ _MODERATE = 708  # exp of a number up to this size is neither infinite nor subno
 class Expressions:
     """C of each value, for one of the vectors that go side by side.
 
-    Numbers are no part of it: they are called by their place in `constants`.
+    Numbers are no part of it: they are called by their place in `constants`, one for
+    each statement, so that two which happen to be equal make no other source.
     """
 
     def __init__(self, graph: Graph, outputs: list[int], parts: Parts) -> None:
         self.graph = graph
         self.constants: list[float] = []
+        self._slots: dict[tuple[int, int], int] = {}
+        self._numbers: dict[int, int] = {}
+        self._statement = 0
         self._taken_in = _products_to_fuse(graph, outputs, parts)
         self._absent = set(self._taken_in.values())
 
@@ -51,12 +55,14 @@ class Expressions:
         """Return how C calls a value."""
         value = self.graph[place]
         if value.kind == "constant":
-            return self._constant(value.number)
+            return self._constant(place, value.number)
+        number = self._numbers.setdefault(place, len(self._numbers))
         letter = VECTORS[0 if value.is_shared else vector]
-        return f"{'m' if value.kind in MASKS else 'v'}{place}{letter}"
+        return f"{'m' if value.kind in MASKS else 'v'}{number}{letter}"
 
     def statements(self, task: Task, vectors: range) -> list[str]:
         """Return the C statements that compute a value, or a group of tangents."""
+        self._statement = task[0]
         value = self.graph[task[0]]
         if value.kind == "tanh":
             names: list[Name] = [partial(self.name, vector=v) for v in vectors]
@@ -122,12 +128,13 @@ class Expressions:
             return f"fused({a}, {b}, {'-' if value.kind == 'sub' else ''}{name(right)})"
         return f"fused({'-' if value.kind == 'sub' else ''}{a}, {b}, {name(left)})"
 
-    def _constant(self, number: float) -> str:
+    def _constant(self, place: int, number: float) -> str:
         if number in (0.0, 1.0, -1.0, 2.0, 0.5):
             return f"splat({number})"
-        if number not in self.constants:
+        slot = self._slots.setdefault((self._statement, place), len(self.constants))
+        if slot == len(self.constants):
             self.constants.append(number)
-        return f"splat(constants[{self.constants.index(number)}])"
+        return f"splat(constants[{slot}])"
 
 
 def _products_to_fuse(graph: Graph, outputs: list[int], parts: Parts) -> dict[int, int]:
