@@ -39,7 +39,12 @@ def directory():
 
 
 def stored():
-    return sorted(directory().iterdir())
+    """Return what is there besides the texts of kernels."""
+    return sorted(path for path in directory().iterdir() if path.suffix != ".txt")
+
+
+def texts():
+    return sorted(directory().glob("*.txt"))
 
 
 def count_builds(monkeypatch):

@@ -22,13 +22,10 @@ from coupling_design.rollout.compiled.compiler import (
     CompilerError,
     find_compiler,
 )
-from coupling_design.rollout.compiled.contacts import find_contacts
-from coupling_design.rollout.compiled.harmonics import share_harmonics
-from coupling_design.rollout.compiled.products import gather_products
-from coupling_design.rollout.compiled.reading import UnknownOperationError, read_step
+from coupling_design.rollout.compiled.kernels import kernel_of
+from coupling_design.rollout.compiled.reading import UnknownOperationError
 from coupling_design.rollout.compiled.store import load_library
-from coupling_design.rollout.compiled.sums import gather_sums
-from coupling_design.rollout.compiled.writing import Kernel, write_kernel
+from coupling_design.rollout.compiled.writing import Kernel
 
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
 
@@ -128,10 +125,7 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
         raise ValueError(f"a march needs at least one step, not {n_steps}")
     try:
         compiler = find_compiler()
-        graph, outputs = gather_products(*read_step(step))
-        for rewrite in (share_harmonics, find_contacts, gather_sums):
-            graph, outputs = rewrite(graph, outputs)
-        kernel = write_kernel(graph, outputs)
+        kernel = kernel_of(step)
         march = CompiledMarch(
             kernel, compiler, step.size1_in(0), step.size1_in(1), n_steps
         )

@@ -1,4 +1,4 @@
-"""Compiled libraries, kept between runs in the user's cache directory.
+"""Compiled libraries, and texts, kept between runs in the user's cache directory.
 
 A library's name holds what it was made from and a hash of its content, so one rename
 puts it in place and no reader takes half a file, or another's, for a whole one.
@@ -19,6 +19,7 @@ import platformdirs
 from coupling_design.rollout.compiled.compiler import Compiler, CompilerError
 
 _KEY_SYMBOL = "march_key"
+_MOST_TEXTS = 256
 
 
 def load_library(source: str, compiler: Compiler) -> ctypes.CDLL:
@@ -27,7 +28,7 @@ def load_library(source: str, compiler: Compiler) -> ctypes.CDLL:
     Where the cache directory cannot be used the library lives in a temporary one.
     Raises CompilerError if it cannot be compiled or loaded.
     """
-    key = _digest("\0".join([source, compiler.identity]).encode())[:32]
+    key = digest("\0".join([source, compiler.identity]).encode())[:32]
     source += f'\nconst char {_KEY_SYMBOL}[] = "{key}";\n'
     with contextlib.suppress(OSError):
         directory = _cache_directory()
@@ -41,6 +42,39 @@ def load_library(source: str, compiler: Compiler) -> ctypes.CDLL:
             return _open(library, key)  # stays loaded when its file is gone
         except OSError as error:
             raise CompilerError(f"cannot load what was compiled: {error}") from error
+
+
+def load_text(key: str) -> str | None:
+    """Return the text stored under a key, None if there is none or it is damaged."""
+    with contextlib.suppress(OSError, ValueError):
+        path = _cache_directory() / f"{key}.txt"
+        _check_is_ours(path)
+        stored, _, text = path.read_text(encoding="utf-8").partition("\n")
+        if stored == digest(text.encode()):
+            return text
+    return None
+
+
+def save_text(key: str, text: str) -> None:
+    """Store a text under a key, as far as the cache directory can be used."""
+    with contextlib.suppress(OSError):
+        directory = _cache_directory()
+        handle, name = tempfile.mkstemp(suffix=".part", prefix=f"{key}-", dir=directory)
+        part = Path(name)
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                file.write(f"{digest(text.encode())}\n{text}")
+            part.replace(directory / f"{key}.txt")
+        finally:
+            part.unlink(missing_ok=True)
+        _remove_oldest_texts(directory)
+
+
+def _remove_oldest_texts(directory: Path) -> None:
+    """Keep a number of texts: a sweep over numbers of a case makes one for each."""
+    by_age = sorted(directory.glob("*.txt"), key=lambda path: path.stat().st_mtime)
+    for path in by_age[:-_MOST_TEXTS]:
+        path.unlink(missing_ok=True)
 
 
 def _cache_directory() -> Path:
@@ -64,7 +98,7 @@ def _stored(directory: Path, key: str) -> ctypes.CDLL | None:
     for path in sorted(directory.glob(f"{key}-*.so")):
         try:
             _check_is_ours(path)
-            if _digest(path.read_bytes()) == path.stem.rpartition("-")[2]:
+            if digest(path.read_bytes()) == path.stem.rpartition("-")[2]:
                 return _open(path, key)
         except OSError:
             pass
@@ -81,10 +115,10 @@ def _build(source: str, compiler: Compiler, directory: Path, key: str) -> Path:
     try:
         compiler.build(source, part)
         with part.open("r+b") as file:
-            digest = _digest(file.read())
+            content = digest(file.read())
             os.fsync(file.fileno())
         part.chmod(0o700)
-        return part.replace(directory / f"{key}-{digest}.so")
+        return part.replace(directory / f"{key}-{content}.so")
     finally:
         part.unlink(missing_ok=True)
 
@@ -101,5 +135,6 @@ def _open(path: Path, key: str) -> ctypes.CDLL:
     return library
 
 
-def _digest(content: bytes) -> str:
+def digest(content: bytes) -> str:
+    """Return what tells a content from any other."""
     return hashlib.sha256(content).hexdigest()
