@@ -22,6 +22,7 @@ from coupling_design.driveline.history import History, history_of
 from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
 from coupling_design.errors import SimulationError
+from coupling_design.rollout.compiled.march import start_compiling
 from coupling_design.rollout.divergence import steps_to_divergence
 from coupling_design.rollout.fastest import fastest_marcher
 from coupling_design.rollout.marcher import Marcher
@@ -30,8 +31,7 @@ from coupling_design.rollout.sensitivities import (
     with_sensitivities,
 )
 
-# A solver asks about a point at most a few times in a row.
-_REMEMBERED = 64
+_REMEMBERED = 64  # gradients: a solver asks at most a few times in a row
 _HISTORIES = 2
 
 
@@ -139,8 +139,7 @@ class Evaluator:
     ) -> tuple[FloatArray, FloatArray]:
         """Return TOTALS (5,) and their exact derivatives (5, 2) to the two variables.
 
-        The last rollouts are kept, so that a solver's separate questions about
-        objective, constraints and their gradients cost one rollout.
+        The last ones are kept: a solver's separate questions cost one rollout.
         """
         point = (torsional_stiffness, key_gap)
         if point not in self._known:
@@ -179,6 +178,10 @@ class Evaluator:
     def coarse_rollouts(self) -> int:
         """How many rollouts the coarser ones have made."""
         return sum(evaluator.rollouts for evaluator in self._coarser.values())
+
+    def start_compiling(self) -> None:
+        """Have the machine code of values made while something else is done."""
+        start_compiling(self._step)
 
     @property
     def is_compiled(self) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import closing
 
 from coupling_design.bearing.contact_stress import strict_transmission_force
-from coupling_design.case.case import Case, ConnectionKind, LoadLimitReading
+from coupling_design.case.case import Case, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.design.baseline import (
     evaluate_baseline,
     present_candidate,
@@ -47,7 +47,12 @@ from coupling_design.design.stages.key_gap import minimise_key_gap
 from coupling_design.design.stages.vibration_isolation import (
     check_vibration_isolation,
 )
-from coupling_design.design.state import FlowState, Solution, connection_option
+from coupling_design.design.state import (
+    FlowState,
+    Solution,
+    connection_option,
+    options_of,
+)
 
 Stage = Callable[[FlowState], FlowState]
 
@@ -76,12 +81,22 @@ def run_design(
     check_time_step(case)
     with closing(Workbench(case, progress)) as bench:
         progress("present coupling")
+        _start_compiling(bench)
         state = FlowState(case, bench, evaluate_baseline(bench))
         bench.effort = effort or (CLOSE if bench.is_compiled else COARSE)
         for number, stage in enumerate(STAGES, start=1):
             bench.progress = _prefixed(progress, f"step {number} of {len(STAGES)}: ")
             state = stage(state)
         return _outcome(state, began)
+
+
+def _start_compiling(bench: Workbench) -> None:
+    """Have machine code made for what comes first, and for what step 4 may need."""
+    case = bench.case
+    stiff = (t for t in case.coupling_types if t.plan is Plan.HIGH_STIFFNESS)
+    tight = (Candidate(each, options_of(case, each)[-1]) for each in stiff)
+    for candidate in (present_candidate(case), *tight):
+        bench.evaluator(candidate).start_compiling()
 
 
 def _outcome(state: FlowState, began: float) -> DesignOutcome:

@@ -26,7 +26,7 @@ def step():
 
 def fresh_march():
     """Return the march as a new process would get it."""
-    march_module._load.cache_clear()
+    march_module._loading.cache_clear()
     return compile_march(step(), 3)
 
 
@@ -54,6 +54,27 @@ def count_builds(monkeypatch):
         store, "_build", lambda *args: builds.append(args) or build(*args)
     )
     return builds
+
+
+@pytest.mark.usefixtures("empty_cache")
+def test_what_was_started_is_not_compiled_again(monkeypatch):
+    builds = count_builds(monkeypatch)
+    march_module._loading.cache_clear()
+    march_module.start_compiling(step())
+    assert_works(compile_march(step(), 3))
+    assert len(builds) == 1
+
+
+@pytest.mark.usefixtures("empty_cache")
+def test_starting_what_cannot_be_compiled_says_nothing(monkeypatch):
+    monkeypatch.setenv(VARIABLE, "none")
+    march_module.start_compiling(step())
+    monkeypatch.setenv(VARIABLE, "false")
+    march_module.start_compiling(step())
+    state, parameters = ca.SX.sym("x"), ca.SX.sym("p")
+    unknown = ca.Function("s", [state, parameters], [ca.erf(state)])
+    monkeypatch.delenv(VARIABLE)
+    march_module.start_compiling(unknown)
 
 
 @pytest.mark.usefixtures("empty_cache")

@@ -6,9 +6,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import os
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import resources
@@ -135,6 +136,13 @@ def compile_march(step: ca.Function, n_steps: int) -> CompiledMarch | NotCompile
     return march
 
 
+def start_compiling(step: ca.Function) -> None:
+    """Have the machine code of a step made while something else is done."""
+    with contextlib.suppress(CompilerError, UnknownOperationError):
+        compiler = find_compiler()
+        _loading(kernel_of(step).source, compiler)
+
+
 def _march_block(
     library: ctypes.CDLL,
     march: CompiledMarch,
@@ -168,10 +176,24 @@ def _padded(columns: FloatArray, width: int) -> FloatArray:
     return np.ascontiguousarray(padded, dtype=np.float64)
 
 
-@lru_cache(maxsize=64)
 def _load(source: str, compiler: Compiler) -> ctypes.CDLL:
+    """Return the library of a kernel, or raise CompilerError."""
+    return _loading(source, compiler).result()
+
+
+@lru_cache(maxsize=64)
+def _loading(source: str, compiler: Compiler) -> Future[ctypes.CDLL]:
+    """Return the library of a kernel as soon as there is one.
+
+    The compiler is a process of its own: several may be at work.
+    """
     headers = [_header("lanes.h"), _header("elementary.h")]
-    return load_library("\n".join([*headers, source]), compiler)
+    return _pool().submit(load_library, "\n".join([*headers, source]), compiler)
+
+
+@lru_cache(maxsize=1)
+def _pool() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(os.cpu_count(), "compiling")
 
 
 @lru_cache(maxsize=2)
