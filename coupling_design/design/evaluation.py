@@ -17,7 +17,7 @@ from coupling_design.arithmetic import FloatArray, Scalar
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.joint import TOTALS, joint_start, joint_step
-from coupling_design.design.results import Performance
+from coupling_design.design.performance import Performance, performance_of
 from coupling_design.driveline.history import History, history_of
 from coupling_design.driveline.modes import natural_angular_frequency
 from coupling_design.driveline.parameters import Driveline
@@ -106,10 +106,12 @@ class Evaluator:
         self, points: Sequence[tuple[float, float]], ends: FloatArray
     ) -> tuple[Performance, ...]:
         """Return the performances at points whose rollouts ended so."""
+        frequencies = self.natural_frequency(np.array([k for k, _ in points])).tolist()
         found = []
-        for point, totals in zip(points, ends[-len(TOTALS) :].T, strict=True):
+        columns = ends[-len(TOTALS) :].T
+        for point, f, totals in zip(points, frequencies, columns, strict=True):
             self._check_finite(totals, *point)
-            found.append(self.read(*point, totals.tolist()))
+            found.append(performance_of(*point, f, totals.tolist()))
         return tuple(found)
 
     def history(self, torsional_stiffness: float, key_gap: float) -> History:
@@ -152,14 +154,8 @@ class Evaluator:
         self, torsional_stiffness: Scalar, key_gap: Scalar, totals: Scalar
     ) -> Performance:
         """Return the performance that `totals` describe, numbers or symbols."""
-        return Performance(
-            torsional_stiffness=torsional_stiffness,
-            key_gap=key_gap,
-            natural_frequency=self.natural_frequency(torsional_stiffness),
-            damages=(totals[0], totals[1]),
-            peak_transmission_force=totals[2],
-            peak_combined_load=(totals[3], totals[4]),
-        )
+        frequency = self.natural_frequency(torsional_stiffness)
+        return performance_of(torsional_stiffness, key_gap, frequency, totals)
 
     @cached_property
     def refined(self) -> Evaluator:
@@ -204,17 +200,15 @@ class Evaluator:
         self._check_finite(rows, *point)
         return rows[0], rows[1:].T
 
-    def _check_finite(
-        self, values: FloatArray, torsional_stiffness: float, key_gap: float
-    ) -> None:
+    def _check_finite(self, values: FloatArray, k: float, key_gap: float) -> None:
         if np.isfinite(values).all():
             return
-        point = ca.DM([torsional_stiffness, key_gap])
+        point = ca.DM([k, key_gap])
         start = self._start(point)[0]
         steps = steps_to_divergence(self._step, self._n_steps, start, point)
         raise SimulationError(
             f"{self.case.file}: the run-down of {self.candidate.label} at "
-            f"{torsional_stiffness:.6g} N*m/rad and a gap of {key_gap * 1e3:.4g} mm "
+            f"{k:.6g} N*m/rad and a gap of {key_gap * 1e3:.4g} mm "
             f"left finite numbers by {steps * self.time_step:.4g} s, with a step of "
             f"{self.time_step:.3g} s. Take a smaller shutdown.time_step, or a softer "
             "contact."

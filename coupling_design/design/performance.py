@@ -58,3 +58,23 @@ class Performance:
     def damage(self) -> float:
         """Miner sum of the bearing that suffers more [-]."""
         return float(max(self.damages))
+
+
+def performance_of(
+    torsional_stiffness: Scalar,
+    key_gap: Scalar,
+    natural_frequency: Scalar,
+    totals: Scalar,
+) -> Performance:
+    """Return a performance from the five totals of a rollout, numbers or symbols.
+
+    The damages of both bearings [-], the peak force [N], their peak loads [N].
+    """
+    return Performance(
+        torsional_stiffness=torsional_stiffness,
+        key_gap=key_gap,
+        natural_frequency=natural_frequency,
+        damages=(totals[0], totals[1]),
+        peak_transmission_force=totals[2],
+        peak_combined_load=(totals[3], totals[4]),
+    )
