@@ -23,7 +23,7 @@ from coupling_design.errors import SimulationError
 
 # Steps this many times longer are tried, the longest first; and how far damage and
 # peak may be off, relative: a tenth of what a map's third digit shows.
-_COARSENINGS = (6, 5, 4, 3, 2)
+_COARSENINGS = (5, 3, 2)
 _GOOD_ENOUGH = 1e-3
 # Of each checked row, every so manieth stiffness is rolled out both ways.
 _CHECKED_EVERY = 4

@@ -12,8 +12,8 @@ from coupling_design.design.problem import DesignProblem
 from coupling_design.design.results import Optimum, Performance
 from coupling_design.design.scan import best_first, local_minima
 
-# Points in each bracket, and rounds: what is left of it is 1/600 and 1/64.
-_WITH_LANES, _ONE_BY_ONE = (16, 3), (3, 6)
+# Points in each bracket, round by round: what is left of it is 1/325 and 1/64.
+_WITH_LANES, _ONE_BY_ONE = (16, 16, 8), (3,) * 6
 # Valleys whose loads over the limit differ by less than this are equally good.
 _SAME_LOAD = 1e-3
 
@@ -70,10 +70,10 @@ def _zoom(
     """
     evaluator, gap = problem.evaluator, floors[0].key_gap
     coarser = evaluator.coarser(coarsening) if coarsening > 1 else evaluator
-    points, rounds = _WITH_LANES if evaluator.is_compiled else _ONE_BY_ONE
+    rounds = _WITH_LANES if evaluator.is_compiled else _ONE_BY_ONE
     brackets = [_neighbours(scanned, floor) for floor in floors]
     best = list(floors)
-    for left in reversed(range(rounds)):
+    for left, points in zip(reversed(range(len(rounds))), rounds, strict=True):
         inside = [k for bracket in brackets for k in _between(bracket, points)]
         rolled_out = (coarser if left else evaluator).performances(
             [(k, gap) for k in inside]

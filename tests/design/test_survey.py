@@ -68,12 +68,12 @@ def test_rows_between_have_a_longer_step_that_is_good_enough(quick, bench, candi
     fine = quick.shutdown.time_step / 16
     workbench, program, plane = mapped(quick, bench, candidate, fine)
     coarse = plane.coarse
-    assert coarse.times in (2, 3, 4, 5, 6)
+    assert coarse.times in (2, 3, 5)
     assert coarse.time_step == pytest.approx(coarse.times * fine)
     assert coarse.checked == 6
     assert 0 < coarse.damage_error <= 1e-3
     assert 0 < coarse.peak_error <= 1e-3
-    tried = [n for n in (6, 5, 4, 3, 2) if quick.shutdown.n_steps * 16 % n == 0]
+    tried = [n for n in (5, 3, 2) if quick.shutdown.n_steps * 16 % n == 0]
     n_tried = tried.index(coarse.times) + 1
     assert workbench.coarse_rollouts == 3 * 8 + n_tried * coarse.checked
     inner = plane.rows[1][3]
