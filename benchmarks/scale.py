@@ -33,7 +33,7 @@ class Scale:
     generations: int
 
 
-FULL = Scale(CASE, rounds=7, processes=3, batch=256, generations=1000)
+FULL = Scale(CASE, rounds=7, processes=5, batch=256, generations=1000)
 
 
 @contextmanager
