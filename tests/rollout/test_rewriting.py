@@ -7,6 +7,7 @@ import pytest
 from coupling_design.rollout.compiled.contacts import find_contacts
 from coupling_design.rollout.compiled.harmonics import share_harmonics
 from coupling_design.rollout.compiled.march import compile_march
+from coupling_design.rollout.compiled.monomials import share_factors
 from coupling_design.rollout.compiled.products import gather_products
 from coupling_design.rollout.compiled.reading import read_step
 from coupling_design.rollout.compiled.sums import gather_sums
@@ -213,3 +214,35 @@ def test_sums_agree_with_the_virtual_machine():
     ends = compile_march(step, 100)(states, points)
     expected = by_virtual_machine(step, 100, states, points)
     np.testing.assert_allclose(ends, expected, rtol=1e-11, atol=1e-13)
+
+
+def slopes(entries, _):
+    """Return two directions through the same slope, each product in its own order."""
+    x, a, b = entries
+    slope = ca.exp(-x)
+    return [x * 0.5, a * (3 * (x * slope)), (slope * (b * 3)) * x]
+
+
+def test_directions_share_their_slope():
+    step = function(3, 1, slopes)
+    before = kinds(*read_step(step)).count("mul")
+    after = kinds(*share_factors(*read_step(step))).count("mul")
+    assert (before, after) == (7, 5)  # 3 x slope once, 0.5 x, and one each
+
+
+def test_a_product_that_shares_nothing_keeps_its_factors():
+    def lonely(entries, _):
+        x, y, z = entries
+        return [x * y * z * 2, y + 1, z + 1]
+
+    graph, outputs = share_factors(*read_step(function(3, 1, lonely)))
+    assert kinds(graph, outputs).count("mul") == 3
+
+
+@pytest.mark.usefixtures("compiler")
+def test_rearranged_products_agree_with_the_virtual_machine():
+    step = function(3, 1, slopes)
+    states, none = RANDOM.uniform(0.1, 1, (3, 9)), np.zeros((1, 9))
+    ends = compile_march(step, 20)(states, none)
+    expected = by_virtual_machine(step, 20, states, none)
+    np.testing.assert_allclose(ends, expected, rtol=1e-12)

@@ -16,13 +16,20 @@ import casadi as ca
 
 from coupling_design.rollout.compiled.contacts import find_contacts
 from coupling_design.rollout.compiled.harmonics import share_harmonics
+from coupling_design.rollout.compiled.monomials import share_factors
 from coupling_design.rollout.compiled.products import gather_products
 from coupling_design.rollout.compiled.reading import read_step
 from coupling_design.rollout.compiled.store import digest, load_text, save_text
 from coupling_design.rollout.compiled.sums import gather_sums
 from coupling_design.rollout.compiled.writing import Kernel, write_kernel
 
-_REWRITING = (gather_products, share_harmonics, find_contacts, gather_sums)
+_REWRITING = (
+    gather_products,
+    share_harmonics,
+    find_contacts,
+    share_factors,
+    gather_sums,
+)
 
 
 def kernel_of(step: ca.Function) -> Kernel:
