@@ -83,7 +83,8 @@ def solve_ivp_rows(subject: Subject, scale: Scale) -> list[Row]:
     times = _in_turns(subject, scale, task, peers)
     rows = [_row(key, peer, times, task, scale) for key, peer in peers.items()]
     if "solve_ivp_numba" not in peers:
-        rows.append(missing("solve_ivp_numba", _NUMBA, "numba is not there"))
+        without = missing("solve_ivp_numba", _NUMBA, "numba is not there")
+        rows.insert(-1, without)  # where it would be, before odeint
     return rows
 
 
