@@ -22,10 +22,10 @@ from coupling_design.design.stability import stable_step
 from coupling_design.errors import SimulationError
 
 # Steps this many times longer are tried, the longest first; and how far damage and
-# peak may be off, relative: a tenth of what a map's third digit shows.
+# peak may be off, relative: no more than one in the third digit, the last a map shows.
 _COARSENINGS = (5, 3, 2)
 _GOOD_ENOUGH = 1e-3
-# Of each checked row, every so manieth stiffness is rolled out both ways.
+# Of each checked row, every fourth stiffness is rolled out both ways.
 _CHECKED_EVERY = 4
 
 Row = tuple[Performance, ...]

@@ -122,10 +122,17 @@ def _limits(case: Case) -> tuple[Constraint, ...]:
 def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -> str:
     low, high = (stiffness / 1e6 for stiffness in program.space.stiffness)
     valleys = count_valleys(program, plane.largest_gap)
+    longer = (
+        f" The smallest peak is narrowed down at {plane.longest_step} times the time "
+        "step, its last round at the case's own."
+        if plane.longest_step > 1
+        else ""
+    )
     return (
         f"{candidate.label}: {len(plane.largest_gap)} stiffnesses from {low:.4g} to "
         f"{high:.4g} MN*m/rad at each of {plane.n_gaps} gaps; at the present gap "
         f"damage has {valleys} valley{'' if valleys == 1 else 's'}."
+        f"{longer}"
     )
 
 
