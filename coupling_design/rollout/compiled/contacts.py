@@ -26,11 +26,8 @@ def find_contacts(graph: Graph, outputs: list[int]) -> tuple[Graph, list[int]]:
     for place in uses:
         value = graph[place]
         contact = _contact(graph, uses, place)
-        if not value.args:
-            new[place] = algebra.graph.place(value.kind, (), value.number)
-        elif contact is None:
-            args = tuple(new[arg] for arg in value.args)
-            new[place] = algebra.graph.place(value.kind, args)
+        if contact is None:
+            new[place] = algebra.graph.copy_of(value, new)
         else:
             x = new[contact[0]]
             pressed = algebra.graph.place("pressed", tuple(new[c] for c in contact))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from coupling_design.rollout.compiled.value import Value, known_value
 
@@ -47,6 +47,11 @@ class Graph:
             self.values.append(known_value(kind, args, known, number))
             self._places[key] = len(self.values) - 1
         return self._places[key]
+
+    def copy_of(self, value: Value, places: Mapping[int, int]) -> int:
+        """Return the place of another graph's value; `places` of its arguments here."""
+        args = tuple(places[arg] for arg in value.args)
+        return self.place(value.kind, args, value.number)
 
     def needed(self, outputs: Iterable[int]) -> list[int]:
         """Return the places that the outputs depend on, in order."""

@@ -65,10 +65,7 @@ class _Sharer:
         wave = self.waves.get(place)
         if wave is not None and wave.angle in self.divisors:
             return self._wave(wave)
-        if not value.args:
-            return self.algebra.graph.place(value.kind, (), value.number)
-        args = tuple(self.new_places[arg] for arg in value.args)
-        return self.algebra.graph.place(value.kind, args, value.number)
+        return self.algebra.graph.copy_of(value, self.new_places)
 
     def _wave(self, wave: _Wave) -> int:
         """Return sin(k x + p) = sin k x cos p + cos k x sin p, or the cosine's like."""

@@ -78,10 +78,7 @@ class _Sharer:
         value = self.old[place]
         if place in self.products:
             return self._product(self.products[place])
-        if not value.args:
-            return self.algebra.graph.place(value.kind, (), value.number)
-        args = tuple(self.new_places[arg] for arg in value.args)
-        return self.algebra.graph.place(value.kind, args)
+        return self.algebra.graph.copy_of(value, self.new_places)
 
     def _product(self, factors: Monomial) -> int:
         """Return the place of a product, a number last: a sum can take that in."""

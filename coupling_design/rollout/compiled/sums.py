@@ -112,10 +112,7 @@ class _Gatherer:
         value = self.old[place]
         if place in self.sums:
             return self._chain(self.sums[place])
-        if not value.args:
-            return self.algebra.graph.place(value.kind, (), value.number)
-        args = tuple(self.new_places[arg] for arg in value.args)
-        return self.algebra.graph.place(value.kind, args)
+        return self.algebra.graph.copy_of(value, self.new_places)
 
     def _chain(self, gathered: _Sum) -> int:
         """Return the place of a sum, its values added in their order."""
