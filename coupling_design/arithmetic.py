@@ -6,6 +6,7 @@ arrays it works element by element, given CasADi symbols it returns an expressio
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import casadi as ca
@@ -98,3 +99,10 @@ def entries(vector: Scalar) -> list[Scalar]:
 def stacked(*values: Scalar) -> Scalar:
     """Return a CasADi vector of its entries, or an array of its rows."""
     return ca.vertcat(*values) if is_symbolic(*values) else np.stack(values)
+
+
+def matrix(rows: Sequence[Sequence[Scalar]]) -> Scalar:
+    """Return a matrix of its rows: an array of floats, or a CasADi expression."""
+    if is_symbolic(*(entry for row in rows for entry in row)):
+        return ca.vertcat(*(ca.horzcat(*row) for row in rows))
+    return np.array(rows, dtype=float)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.results import Conditioning, Performance
 
 _START_OFFSET = 1e-12  # rad, far below anything that could be measured
+# A nudge that small which moves the damage by more than this leaves it to chance.
+_CHAOTIC = 1e-3
 _MOST_DIGITS = 6
 
 
@@ -33,6 +36,24 @@ def conditioning(evaluator: Evaluator, performance: Performance) -> Conditioning
         - 1,
         digits=standing_digits(max(abs(by_start), abs(by_step))),
     )
+
+
+def chaotic(evaluator: Evaluator, performance: Performance) -> bool:
+    """Return whether a start moved by 1e-12 rad moves the damage by more than 1e-3."""
+    point = performance.torsional_stiffness, performance.key_gap
+    return any(are_chaotic(evaluator, [point]))
+
+
+def are_chaotic(
+    evaluator: Evaluator, points: Sequence[tuple[float, float]]
+) -> tuple[bool, ...]:
+    """Return the same of many points at once."""
+    pairs = zip(
+        evaluator.performances(points),
+        evaluator.performances(points, _START_OFFSET),
+        strict=True,
+    )
+    return tuple(abs(b.damage / a.damage - 1) > _CHAOTIC for a, b in pairs)
 
 
 def standing_digits(relative_change: float) -> int:

@@ -1,57 +1,69 @@
 """What one design point does, and how that changes with stiffness and gap.
 
-A point is (torsional stiffness [N m/rad], key gap [m]).
+A point is (torsional stiffness [N m/rad], key gap [m]). Where the crank stands when
+the fuel goes off, and where gravity then is, are chance: a point's damage is the mean
+over evenly spread ones, its peaks are the largest.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import cached_property, partial
 
-import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray, Scalar
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
-from coupling_design.design.joint import TOTALS, joint_start, joint_step
+from coupling_design.design.chance import chances
+from coupling_design.design.joint import TOTALS
 from coupling_design.design.performance import Performance, performance_of
-from coupling_design.driveline.history import History, history_of
+from coupling_design.design.run_downs import RunDowns, joint_states
+from coupling_design.design.totals import over_chance, spread_of
+from coupling_design.driveline.history import History
 from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import Driveline
-from coupling_design.errors import SimulationError
-from coupling_design.rollout.compiled.march import start_compiling
-from coupling_design.rollout.divergence import steps_to_divergence
-from coupling_design.rollout.fastest import fastest_marcher
-from coupling_design.rollout.marcher import Marcher
-from coupling_design.rollout.sensitivities import (
-    join_sensitivities,
-    with_sensitivities,
-)
+from coupling_design.driveline.parameters import Driveline, Start
 
 _REMEMBERED = 64  # gradients: a solver asks at most a few times in a row
 _HISTORIES = 2
+
+Point = tuple[float, float]
 
 
 class Evaluator:
     """Rollouts of one candidate of a case, with exact gradients.
 
-    Everything symbolic is built at first use. `refinement` divides the time step,
-    `coarsening` multiplies it: the latter must divide the number of steps.
+    `refinement` divides the time step, `coarsening` multiplies it: the latter must
+    divide the number of steps. The `scan` of another takes its first crank angle alone,
+    gap closed at the start: good enough to look around, not to judge.
     """
 
     def __init__(
-        self, case: Case, candidate: Candidate, refinement: int = 1, coarsening: int = 1
+        self,
+        case: Case,
+        candidate: Candidate,
+        refinement: int = 1,
+        coarsening: int = 1,
+        *,
+        scan_of: Evaluator | None = None,
     ) -> None:
         self.case, self.candidate = case, candidate
         self.refinement, self.coarsening = refinement, coarsening
+        self.is_scan, self._judging = scan_of is not None, scan_of or self
         self.rollouts = 0
+        shutdown = case.shutdown
+        self.run_downs = (scan_of and scan_of.run_downs) or RunDowns(
+            case,
+            candidate,
+            shutdown.time_step * coarsening / refinement,
+            shutdown.n_steps * refinement // coarsening,
+        )
+        self.chances = chances(case, 1 if self.is_scan else shutdown.crank_angles)
         self._coarser: dict[int, Evaluator] = {}
-        self._performances: dict[float, dict[tuple[float, float], Performance]] = {}
-        self._histories: dict[tuple[float, float], History] = {}
-        self._known: dict[tuple[float, float], tuple[FloatArray, FloatArray]] = {}
+        self._performances: dict[float, dict[Point, Performance]] = {}
+        self._histories: dict[Point, History] = {}
+        self._known: dict[Point, tuple[FloatArray, FloatArray]] = {}
 
     def driveline(self, torsional_stiffness: Scalar, key_gap: Scalar) -> Driveline:
         """Return the driveline at a design point, values or symbols."""
@@ -75,7 +87,7 @@ class Evaluator:
         return self.performances([(torsional_stiffness, key_gap)], start_offset)[0]
 
     def performances(
-        self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
+        self, points: Sequence[Point], start_offset: float = 0.0
     ) -> tuple[Performance, ...]:
         """Return the performances at many points, in their order.
 
@@ -89,46 +101,63 @@ class Evaluator:
         return tuple(known[point] for point in points)
 
     def prepare(
-        self, points: Sequence[tuple[float, float]], start_offset: float = 0.0
+        self, points: Sequence[Point], start_offset: float = 0.0
     ) -> Callable[[int | None], FloatArray]:
         """Return what rolls out many points with so many threads, to their ends.
 
         Everything else is done here, and counted: what is returned is the march alone,
         which touches nothing that another thread may be building.
         """
-        columns = np.asarray(points, dtype=np.float64).T
-        starts = np.asarray(self._start(columns)[0])
+        columns = self.run_downs.variables.columns(points, self.chances)
+        starts = self._starts(columns)
         starts[0] += start_offset
-        self.rollouts += len(points)
-        return partial(self._march, starts, columns)
+        self.rollouts += columns.shape[1]
+        return partial(self.run_downs.march, joint_states(starts), columns)
 
     def performances_of(
-        self, points: Sequence[tuple[float, float]], ends: FloatArray
+        self, points: Sequence[Point], ends: FloatArray
     ) -> tuple[Performance, ...]:
         """Return the performances at points whose rollouts ended so."""
         frequencies = self.natural_frequency(np.array([k for k, _ in points])).tolist()
-        found = []
-        columns = ends[-len(TOTALS) :].T
-        for point, f, totals in zip(points, frequencies, columns, strict=True):
-            self._check_finite(totals, *point)
-            found.append(performance_of(*point, f, totals.tolist()))
+        n, found = self.chances.shape[1], []
+        for i, (point, f) in enumerate(zip(points, frequencies, strict=True)):
+            totals = ends[-len(TOTALS) :, i * n : (i + 1) * n]
+            self._check(totals, point)
+            spread = None if self.is_scan else spread_of(totals)
+            judged = over_chance(totals).tolist()
+            found.append(performance_of(*point, f, judged, spread))
         return tuple(found)
 
-    def history(self, torsional_stiffness: float, key_gap: float) -> History:
-        """Return the run-down at a point in full; the last two asked for are kept.
+    def performances_from(
+        self, columns: FloatArray, start: Start | None = None
+    ) -> tuple[Performance, ...]:
+        """Return the performances of variables' columns, in groups of crank angles.
 
-        Raises SimulationError where the rollout leaves finite numbers.
+        As `variables.columns` makes them, with what one likes changed; from another
+        start if given. They are not kept.
+        """
+        starts = self.run_downs.starting(start)(columns, self.chances.shape[1])
+        self.rollouts += columns.shape[1]
+        ends = self.run_downs.march(joint_states(starts.states), columns)
+        points = [(k, gap) for k, gap in columns[:2, :: self.chances.shape[1]].T]
+        return self.performances_of(points, ends)
+
+    def history(self, torsional_stiffness: float, key_gap: float) -> History:
+        """Return the run-down at a point in full, from the crank angle of its peak.
+
+        The last two asked for are kept. Raises SimulationError where it leaves finite
+        numbers.
         """
         point = (torsional_stiffness, key_gap)
         if point not in self._histories:
             if len(self._histories) >= _HISTORIES:
                 self._histories.clear()
-            column = np.asarray(point, dtype=np.float64)[:, np.newaxis]
-            start = np.asarray(self._start(column)[0])
-            states = self._march.record(start, column)[: -len(TOTALS)]
-            shutdown = replace(self.case.shutdown, time_step=self.time_step)
-            self._histories[point] = history_of(
-                self.driveline(*point), shutdown, states
+            spread = self.performance(*point).spread
+            worst = spread.worst if spread else 0
+            columns = self.run_downs.variables.columns([point], self.chances)
+            starts, mine = self._starts(columns), slice(worst, worst + 1)
+            self._histories[point] = self.run_downs.history(
+                starts[:, mine], columns[:, mine]
             )
         return self._histories[point]
 
@@ -147,7 +176,11 @@ class Evaluator:
         if point not in self._known:
             if len(self._known) >= _REMEMBERED:
                 self._known.clear()
-            self._known[point] = self._roll_with_jacobian(point)
+            self.rollouts += self.chances.shape[1]
+            totals, *slopes = self.run_downs.totals_with_slopes(point, self.chances)
+            self._check(np.stack([totals, *slopes]), point)
+            judged = over_chance(totals, *slopes)
+            self._known[point] = judged[:, 0], judged[:, 1:]
         return self._known[point]
 
     def read(
@@ -162,8 +195,21 @@ class Evaluator:
         """The same rollouts with half the time step."""
         return Evaluator(self.case, self.candidate, 2 * self.refinement)
 
+    @cached_property
+    def scan(self) -> Evaluator:
+        """The same run-downs from one crank angle, to look around with."""
+        return Evaluator(
+            self.case,
+            self.candidate,
+            self.refinement,
+            self.coarsening,
+            scan_of=self,
+        )
+
     def coarser(self, coarsening: int) -> Evaluator:
         """Return the same rollouts with a time step this many times longer."""
+        if self.is_scan:
+            return self._judging.coarser(coarsening).scan
         if coarsening not in self._coarser:
             self._coarser[coarsening] = Evaluator(
                 self.case, self.candidate, coarsening=coarsening
@@ -171,74 +217,45 @@ class Evaluator:
         return self._coarser[coarsening]
 
     @property
+    def all_rollouts(self) -> int:
+        """How many rollouts it and its scan have made, at its own step."""
+        return self.rollouts + self.scan.rollouts
+
+    @property
     def coarse_rollouts(self) -> int:
         """How many rollouts the coarser ones have made."""
-        return sum(evaluator.rollouts for evaluator in self._coarser.values())
+        return sum(evaluator.all_rollouts for evaluator in self._coarser.values())
 
     def start_compiling(self) -> None:
         """Have the machine code of values made while something else is done."""
-        start_compiling(self._step)
+        self.run_downs.start_compiling()
 
     @property
     def is_compiled(self) -> bool:
         """Whether the rollouts run as machine code."""
-        return self._march.is_compiled
+        return self.run_downs.march.is_compiled
 
     @property
     def engine(self) -> str:
         """What does the rollouts, in words."""
-        return self._march.engine
-
-    def _roll_with_jacobian(
-        self, point: tuple[float, float]
-    ) -> tuple[FloatArray, FloatArray]:
-        start = np.asarray(join_sensitivities(*self._start(ca.DM(point))))
-        self.rollouts += 1
-        column = np.asarray(point, dtype=np.float64)[:, np.newaxis]
-        end = self._march_with_sensitivities(start, column)
-        rows = end.reshape(1 + len(point), -1)[:, -len(TOTALS) :]
-        self._check_finite(rows, *point)
-        return rows[0], rows[1:].T
-
-    def _check_finite(self, values: FloatArray, k: float, key_gap: float) -> None:
-        if np.isfinite(values).all():
-            return
-        point = ca.DM([k, key_gap])
-        start = self._start(point)[0]
-        steps = steps_to_divergence(self._step, self._n_steps, start, point)
-        raise SimulationError(
-            f"{self.case.file}: the run-down of {self.candidate.label} at "
-            f"{k:.6g} N*m/rad and a gap of {key_gap * 1e3:.4g} mm "
-            f"left finite numbers by {steps * self.time_step:.4g} s, with a step of "
-            f"{self.time_step:.3g} s. Take a smaller shutdown.time_step, or a softer "
-            "contact."
-        )
+        return self.run_downs.march.engine
 
     @property
     def time_step(self) -> float:
         """The time step [s]."""
-        return self.case.shutdown.time_step * self.coarsening / self.refinement
+        return self.run_downs.time_step
 
-    @property
-    def _n_steps(self) -> int:
-        return self.case.shutdown.n_steps * self.refinement // self.coarsening
+    def _starts(self, columns: FloatArray) -> FloatArray:
+        starting = self.run_downs.starting()
+        if self.is_scan:
+            return starting.closed(columns)
+        return starting(columns, self.chances.shape[1]).states
 
-    @cached_property
-    def _start(self) -> ca.Function:
-        point = ca.SX.sym("point", 2)
-        driveline = self.driveline(*ca.vertsplit(point))
-        return joint_start(driveline, self.case.shutdown.initial_speed, point)
-
-    @cached_property
-    def _step(self) -> ca.Function:
-        point = ca.SX.sym("point", 2)
-        driveline = self.driveline(*ca.vertsplit(point))
-        return joint_step(driveline, self.case, self.time_step, point)
-
-    @cached_property
-    def _march(self) -> Marcher:
-        return fastest_marcher(self._step, self._n_steps)
-
-    @cached_property
-    def _march_with_sensitivities(self) -> Marcher:
-        return fastest_marcher(with_sensitivities(self._step), self._n_steps)
+    def _check(self, totals: FloatArray, point: Point) -> None:
+        """Raise SimulationError, saying when, if totals (..., n) are not finite."""
+        if np.isfinite(totals).all():
+            return
+        columns = self.run_downs.variables.columns([point], self.chances)
+        n = columns.shape[1]
+        at = int(np.argmin(np.isfinite(totals).reshape(-1, n).all(axis=0)))
+        raise self.run_downs.divergence(self._starts(columns)[:, at], columns[:, at])

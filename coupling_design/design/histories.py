@@ -40,8 +40,8 @@ def rundown_history(
 ) -> RundownHistory:
     """Return a run-down with what the bearings bear in it.
 
-    The damage counts as it does in the flow: its last value is that of `performance`,
-    the performance of the same run-down.
+    The run-down is the one whose peak decides. The damage counts as it does in the flow:
+    its last value is one of those whose mean `performance` has.
     """
     frequency = 2 * math.pi * float(performance.natural_frequency)
     force = collision_force(history, frequency)
@@ -97,7 +97,7 @@ def _bearing_history(case: Case, history: History, k: int) -> BearingHistory:
     load: FloatArray = combined_load(
         rotational_loads(history.transmission_force, case.shaft)[k],
         static_loads(case.shaft)[k],
-        history.generator_angle,
+        history.generator_angle + history.gravity_angle,
     )
     kappa = unclamped_viscosity_ratio(lubrication.viscosity, speed, bearing)
     e_c = contamination_factor(kappa, bearing.pitch_diameter, lubrication.cleanliness)

@@ -17,9 +17,13 @@ from coupling_design.bearing.loads import (
     static_loads,
 )
 from coupling_design.case.case import Case
-from coupling_design.driveline.dynamics import Motion, motion, state_names
-from coupling_design.driveline.initial_state import quasi_steady_state
-from coupling_design.driveline.parameters import Driveline
+from coupling_design.driveline.dynamics import Motion
+from coupling_design.driveline.parameters import Driveline, Shutdown
+from coupling_design.driveline.run_down import (
+    closed_start,
+    run_down_motion,
+    run_down_state_names,
+)
 from coupling_design.rollout.runge_kutta import rk4_step
 
 TOTALS = (
@@ -32,17 +36,25 @@ TOTALS = (
 
 
 def joint_step(
-    driveline: Driveline, case: Case, time_step: float, parameters: ca.SX
+    driveline: Driveline,
+    case: Case,
+    time_step: float,
+    parameters: ca.SX,
+    shutdown: Shutdown | None = None,
 ) -> ca.Function:
     """Return (joint state, parameters) -> joint state one time step [s] later.
 
-    `driveline` holds the symbols in `parameters` where it varies; shaft, bearings and
-    lubrication are the case's.
+    `driveline` and `shutdown` hold the symbols in `parameters` where they vary, the
+    latter the case's if not given; shaft, bearings and lubrication are the case's.
     """
-    n = len(state_names(driveline))
+    shutdown = shutdown or case.shutdown
+    n = len(run_down_state_names(driveline, shutdown))
     state, totals = ca.SX.sym("state", n), ca.SX.sym("totals", len(TOTALS))
-    state_next = rk4_step(lambda y: motion(driveline, y).state_rate, state, time_step)
-    totals_next = _add(totals, motion(driveline, state), case, time_step)
+    state_next = rk4_step(
+        lambda y: run_down_motion(driveline, shutdown, y).state_rate, state, time_step
+    )
+    now = run_down_motion(driveline, shutdown, state)
+    totals_next = _add(totals, now, case, shutdown, time_step)
     return ca.Function(
         "step",
         [ca.vertcat(state, totals), parameters],
@@ -53,29 +65,36 @@ def joint_step(
 
 
 def joint_start(
-    driveline: Driveline, initial_speed: Scalar, parameters: ca.SX
+    driveline: Driveline,
+    shutdown: Shutdown,
+    parameters: ca.SX,
+    n_varied: int | None = None,
 ) -> ca.Function:
     """Return parameters -> (joint state at the start, its Jacobian).
 
-    `initial_speed` [rad/s] may be among the parameters.
+    The start is that of joints that stay closed; the Jacobian is to the first
+    `n_varied` parameters, to all if not given.
     """
-    state = quasi_steady_state(driveline, initial_speed)
-    start = ca.vertcat(state, ca.SX.zeros(len(TOTALS)))
+    start = ca.vertcat(closed_start(driveline, shutdown), ca.SX.zeros(len(TOTALS)))
+    varied = parameters[:n_varied] if n_varied else parameters
     return ca.Function(
         "start",
         [parameters],
-        [start, ca.densify(ca.jacobian(start, parameters))],
+        [start, ca.densify(ca.jacobian(start, varied))],
         ["parameters"],
         ["state", "jacobian"],
     )
 
 
-def _add(totals: Scalar, now: Motion, case: Case, time_step: float) -> Scalar:
+def _add(
+    totals: Scalar, now: Motion, case: Case, shutdown: Shutdown, time_step: float
+) -> Scalar:
     """Return the totals with the segment that starts now, eqs. (4)-(6), (13), (14)."""
     forces = rotational_loads(now.transmission_force, case.shaft)
     weights = static_loads(case.shaft)
+    beta = now.generator_angle + (shutdown.gravity_angle - shutdown.crank_angle)
     loads = [
-        combined_load(force, weight, now.generator_angle)
+        combined_load(force, weight, beta)
         for force, weight in zip(forces, weights, strict=True)
     ]
     damages = [

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from coupling_design.arithmetic import Scalar
+from coupling_design.design.chance import Spread
 
 
 class Sense(StrEnum):
@@ -42,9 +43,10 @@ class Performance:
     torsional_stiffness : k_dyn [N m/rad]
     key_gap : Phi [m], 0 for a tight fit
     natural_frequency : lowest, gap closed, undamped [Hz]
-    damages : Miner sum of bearing 1 and of bearing 2 [-]
-    peak_transmission_force : largest |F_c| [N]
+    damages : Miner sum of bearing 1 and of bearing 2, mean over what is chance [-]
+    peak_transmission_force : largest |F_c| of all crank angles [N]
     peak_combined_load : largest load of bearing 1 and of bearing 2 [N]
+    spread : how far these reach over what is chance, None where that was not looked at
     """
 
     torsional_stiffness: Scalar
@@ -53,6 +55,7 @@ class Performance:
     damages: tuple[Scalar, Scalar]
     peak_transmission_force: Scalar
     peak_combined_load: tuple[Scalar, Scalar]
+    spread: Spread | None = None
 
     @property
     def damage(self) -> float:
@@ -65,6 +68,7 @@ def performance_of(
     key_gap: Scalar,
     natural_frequency: Scalar,
     totals: Scalar,
+    spread: Spread | None = None,
 ) -> Performance:
     """Return a performance from the five totals of a rollout, numbers or symbols.
 
@@ -77,4 +81,5 @@ def performance_of(
         damages=(totals[0], totals[1]),
         peak_transmission_force=totals[2],
         peak_combined_load=(totals[3], totals[4]),
+        spread=spread,
     )

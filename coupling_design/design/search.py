@@ -1,4 +1,8 @@
-"""Scan, then Ipopt: how every stage looks for a point of one candidate."""
+"""Scan, then Ipopt: how every stage looks for a point of one candidate.
+
+The scan looks around from one crank angle; Ipopt, and whatever is compared with its end,
+judges over all of them.
+"""
 
 from __future__ import annotations
 
@@ -70,7 +74,7 @@ class Workbench:
     @property
     def rollouts(self) -> int:
         """How many run-downs have been rolled out, at the case's own step."""
-        return sum(evaluator.rollouts for evaluator in self._evaluators.values())
+        return sum(evaluator.all_rollouts for evaluator in self._evaluators.values())
 
     @property
     def coarse_rollouts(self) -> int:
@@ -80,12 +84,12 @@ class Workbench:
     @property
     def is_compiled(self) -> bool:
         """Whether the rollouts run as machine code."""
-        return all(e.is_compiled for e in self._evaluators.values() if e.rollouts)
+        return all(e.is_compiled for e in self._evaluators.values() if e.all_rollouts)
 
     @property
     def engine(self) -> str:
         """What did them, in words."""
-        used = {e.engine for e in self._evaluators.values() if e.rollouts}
+        used = {e.engine for e in self._evaluators.values() if e.all_rollouts}
         return ", ".join(sorted(used))
 
 
@@ -124,7 +128,7 @@ def look(bench: Workbench, program: DesignProblem) -> tuple[Performance, ...]:
         points = grid(space, effort.stiffnesses_with_gap, effort.gaps)
     else:
         points = grid(space, effort.stiffnesses, 1)
-    return program.evaluator.performances(points)
+    return program.evaluator.scan.performances(points)
 
 
 def count_valleys(program: DesignProblem, scanned: tuple[Performance, ...]) -> int:

@@ -44,6 +44,8 @@ _IPOPT: dict[str, Any] = {
 _SAME_OBJECTIVE, _SAME_POINT = 1e-3, 1e-2
 # The program's limits lie a little inside the scan's: less than this is no win.
 _TIE = 1e-5
+# How many of a scan's best are judged beside Ipopt's ends.
+_JUDGED = 3
 _CONVERGED = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
 
 
@@ -67,9 +69,9 @@ def optimise(
     starts = _choose_starts(problem, scanned, n_starts)
     before = problem.evaluator.rollouts
     ends = [_run_ipopt(problem, start) for start in starts]
-    rollouts = problem.evaluator.rollouts - before
     best_end = best_first(problem, [end.performance for end in ends])[0]
-    best_scanned = best_first(problem, scanned)[0]
+    best_scanned = _judged(problem, scanned)
+    rollouts = problem.evaluator.rollouts - before
     end = next(end for end in ends if end.performance is best_end)
     by_ipopt = _is_ipopts(problem, end, best_scanned)
     winner = best_end if by_ipopt else best_scanned
@@ -88,6 +90,13 @@ def optimise(
         active_constraints=active_constraints(problem, winner),
         conditioning=conditioning(problem.evaluator, winner),
     )
+
+
+def _judged(problem: DesignProblem, scanned: Sequence[Performance]) -> Performance:
+    """Return the best of a scan, those that look best judged over all crank angles."""
+    best = best_first(problem, scanned)[:_JUDGED]
+    points = [(p.torsional_stiffness, p.key_gap) for p in best]
+    return best_first(problem, problem.evaluator.performances(points))[0]
 
 
 def _is_ipopts(problem: DesignProblem, end: _End, scanned: Performance) -> bool:

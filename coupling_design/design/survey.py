@@ -1,8 +1,9 @@
 """The whole stiffness x gap plane of a candidate, rolled out before any optimiser.
 
-The rows at the smallest and the largest gap, from which a step goes on, have the case's
-own time step. Those between may have a longer one, whose error is measured; no decision
-rests on them, so they are rolled out in the background until somebody asks for them.
+All of it from one crank angle: a map to look around with. The rows at the smallest and
+the largest gap, from which a step goes on, have the case's own time step. Those between
+may have a longer one, whose error is measured; no decision rests on them, so they are
+rolled out in the background until somebody asks for them.
 """
 
 from __future__ import annotations
@@ -109,7 +110,7 @@ def survey(bench: Workbench, program: DesignProblem) -> Survey:
 
     Its rows between the first and the last are still being rolled out.
     """
-    evaluator, space = program.evaluator, program.space
+    evaluator, space = program.evaluator.scan, program.space
     left = reachable_stiffness(evaluator, program.constraints, space.stiffness)
     narrowed = replace(space, stiffness=left or space.stiffness)
     effort = bench.effort

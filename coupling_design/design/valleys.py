@@ -12,8 +12,8 @@ from coupling_design.design.problem import DesignProblem
 from coupling_design.design.results import Optimum, Performance
 from coupling_design.design.scan import best_first, local_minima
 
-# Points in each bracket, round by round: what is left of it is 1/325 and 1/64.
-_WITH_LANES, _ONE_BY_ONE = (16, 16, 8), (3,) * 6
+# Points in each bracket, round by round: what is left of it is 1/80 or less.
+_WITH_LANES, _ONE_BY_ONE = (8, 8, 6), (3,) * 5
 # Valleys whose loads over the limit differ by less than this are equally good.
 _SAME_LOAD = 1e-3
 
@@ -54,7 +54,7 @@ def smallest_load(
 
 
 def _rollouts(problem: DesignProblem) -> int:
-    return problem.evaluator.rollouts + problem.evaluator.coarse_rollouts
+    return problem.evaluator.all_rollouts + problem.evaluator.coarse_rollouts
 
 
 def _zoom(
@@ -66,37 +66,39 @@ def _zoom(
     """Return the best point of each valley, between the neighbours of its floor.
 
     Every round rolls out a few points in every bracket, all in one batch, and goes on
-    between the neighbours of the best: 16 of them cost machine code no more than one.
+    between the neighbours of the best; each point is judged over all crank angles.
     """
     evaluator, gap = problem.evaluator, floors[0].key_gap
     coarser = evaluator.coarser(coarsening) if coarsening > 1 else evaluator
     rounds = _WITH_LANES if evaluator.is_compiled else _ONE_BY_ONE
-    brackets = [_neighbours(scanned, floor) for floor in floors]
-    best = list(floors)
+    brackets = [_bracket(scanned, floor) for floor in floors]
+    middles = [floor.torsional_stiffness for floor in floors]
+    best: list[Performance] = []
     for left, points in zip(reversed(range(len(rounds))), rounds, strict=True):
-        inside = [k for bracket in brackets for k in _between(bracket, points)]
-        rolled_out = (coarser if left else evaluator).performances(
-            [(k, gap) for k in inside]
-        )
-        for i, bracket in enumerate(brackets):
-            found = rolled_out[i * points : (i + 1) * points]
-            known = [*bracket, best[i], *found] if left else [floors[i], *found]
-            known.sort(key=lambda performance: performance.torsional_stiffness)
-            best[i] = best_first(problem, known)[0]
-            brackets[i] = _neighbours(known, best[i])
+        # The ends of a bracket decide nothing in the last round, at the case's own step.
+        inside = [
+            sorted({middle, *_between(bracket, points), *(bracket if left else ())})
+            for bracket, middle in zip(brackets, middles, strict=True)
+        ]
+        judge = coarser if left else evaluator
+        found = judge.performances([(k, gap) for row in inside for k in row])
+        rows = [[p for p in found if p.torsional_stiffness in row] for row in inside]
+        best = [best_first(problem, row)[0] for row in rows]
+        middles = [each.torsional_stiffness for each in best]
+        brackets = [_bracket(row, at) for row, at in zip(rows, best, strict=True)]
     return best
 
 
-def _neighbours(
+def _bracket(
     performances: Sequence[Performance], of: Performance
-) -> tuple[Performance, Performance]:
-    """Return the points on either side of one, itself where there is none."""
+) -> tuple[float, float]:
+    """Return the stiffnesses on either side of one, its own where there is none."""
     at = next(i for i, performance in enumerate(performances) if performance is of)
-    last = len(performances) - 1
-    return performances[max(at - 1, 0)], performances[min(at + 1, last)]
+    around = performances[max(at - 1, 0)], performances[min(at + 1, len(performances) - 1)]
+    return around[0].torsional_stiffness, around[1].torsional_stiffness
 
 
-def _between(bracket: tuple[Performance, Performance], points: int) -> list[float]:
+def _between(bracket: tuple[float, float], points: int) -> list[float]:
     """Return stiffnesses inside a bracket, spaced by ratio, its ends left out."""
-    low, high = (performance.torsional_stiffness for performance in bracket)
+    low, high = bracket
     return [float(k) for k in np.geomspace(low, high, points + 2)[1:-1]]

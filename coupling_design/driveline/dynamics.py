@@ -56,6 +56,15 @@ def state_names(driveline: Driveline) -> tuple[str, ...]:
     return TIGHT_STATE
 
 
+def inertias(driveline: Driveline) -> tuple[Scalar, ...]:
+    """Return what turns on its own, from the engine on [kg m^2]: 3 keyed, 2 tight."""
+    J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
+    J3 = driveline.generator_inertia
+    if isinstance(driveline.connection, KeyedConnection):
+        return J1, J2, J3
+    return J1, J2 + J3
+
+
 def reduced_inertia(driveline: Driveline) -> Scalar:
     """Return J1 (J2 + J3) / (J1 + J2 + J3) [kg m^2], of the two masses."""
     J1 = driveline.engine_inertia
@@ -63,7 +72,12 @@ def reduced_inertia(driveline: Driveline) -> Scalar:
     return J1 * J23 / (J1 + J23)
 
 
-def motion(driveline: Driveline, state: Scalar) -> Motion:
+def motion(
+    driveline: Driveline,
+    state: Scalar,
+    fuel_torque: Scalar = 0.0,
+    crank_angle: Scalar | None = None,
+) -> Motion:
     """Return the motion at a state, [1] eq. (1).
 
     Parameters
@@ -71,21 +85,23 @@ def motion(driveline: Driveline, state: Scalar) -> Motion:
     driveline : values or symbols
     state : CasADi vector, or array with a column for each instant; its entries or rows
         as `state_names` says
+    fuel_torque : that drives the engine besides the orders [N m]
+    crank_angle : at which the orders push [rad]; the engine's own where not given
     """
+    at = entries(state)[0] if crank_angle is None else crank_angle
+    drive = excitation_torque(at, driveline.excitation) + fuel_torque
     if isinstance(driveline.connection, KeyedConnection):
-        return _keyed_motion(driveline, driveline.connection, state)
-    return _tight_motion(driveline, state)
+        return _keyed_motion(driveline, driveline.connection, state, drive)
+    return _tight_motion(driveline, state, drive)
 
 
 def _keyed_motion(
-    driveline: Driveline, connection: KeyedConnection, state: Scalar
+    driveline: Driveline, connection: KeyedConnection, state: Scalar, drive: Scalar
 ) -> Motion:
     th1, th2, th3, w1, w2, w3 = entries(state)
     J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
     J3 = driveline.generator_inertia
-    T_1 = excitation_torque(th1, driveline.excitation) - resistance_torque(
-        w1, driveline.engine_resistance
-    )
+    T_1 = drive - resistance_torque(w1, driveline.engine_resistance)
     T_d = resistance_torque(w3, driveline.generator_resistance)
     T_c = _coupling_torque(driveline, th1 - th2, w1 - w2)
     r_Fc = transmission_torque(th2 - th3, w2 - w3, connection)
@@ -102,13 +118,11 @@ def _keyed_motion(
     )
 
 
-def _tight_motion(driveline: Driveline, state: Scalar) -> Motion:
+def _tight_motion(driveline: Driveline, state: Scalar, drive: Scalar) -> Motion:
     th1, th3, w1, w3 = entries(state)
     J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
     J3 = driveline.generator_inertia
-    T_1 = excitation_torque(th1, driveline.excitation) - resistance_torque(
-        w1, driveline.engine_resistance
-    )
+    T_1 = drive - resistance_torque(w1, driveline.engine_resistance)
     T_d = resistance_torque(w3, driveline.generator_resistance)
     T_c = _coupling_torque(driveline, th1 - th3, w1 - w3)
     a_3 = (T_c - T_d) / (J2 + J3)

@@ -24,10 +24,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from coupling_design.arithmetic import FloatArray
+from coupling_design.arithmetic import FloatArray, Scalar, cos, sin
 from coupling_design.driveline.damping import coupling_damping
 from coupling_design.driveline.dynamics import reduced_inertia
 from coupling_design.driveline.modes import (
@@ -35,7 +36,7 @@ from coupling_design.driveline.modes import (
     mass_matrix,
     stiffness_matrix,
 )
-from coupling_design.driveline.parameters import Driveline
+from coupling_design.driveline.parameters import Driveline, ExcitationOrder
 
 _ComplexArray = NDArray[np.complex128]
 
@@ -122,6 +123,31 @@ def _angles(driveline: Driveline, omega: FloatArray) -> _ComplexArray:
         force[i, :, 0] = order.amplitude * np.exp(1j * order.phase)
     angles: NDArray[Any] = np.linalg.solve(K + 1j * w * C - w**2 * M, force)
     return angles[..., 0]
+
+
+def angle_phasor(
+    driveline: Driveline,
+    order: ExcitationOrder,
+    speed: Scalar,
+    contact_slope: Scalar = 1.0,
+) -> tuple[Scalar, Scalar]:
+    """Return the angles' answer to one order at a mean speed [rad/s], by [2].
+
+    Real and imaginary part, CasADi vectors (n_masses,) [rad]; values or symbols, so
+    that it can be differentiated. As in `ForcedResponse` an angle is Im(q exp(j w t)).
+    `contact_slope` is that of the contact at the mean torque [-].
+    """
+    M, K = mass_matrix(driveline), stiffness_matrix(driveline, contact_slope)
+    C = damping_matrix(_without_friction(driveline))
+    w = order.order * speed
+    dynamic, n = K - w**2 * M, M.shape[0]
+    # (K - w^2 M + j w C) q = T, its real part above its imaginary one.
+    system = ca.vertcat(ca.horzcat(dynamic, -w * C), ca.horzcat(w * C, dynamic))
+    force: list[Scalar] = [0.0] * (2 * n)
+    force[0] = order.amplitude * cos(order.phase)
+    force[n] = order.amplitude * sin(order.phase)
+    answer = ca.solve(system, ca.vertcat(*force))
+    return answer[:n], answer[n:]
 
 
 def _without_friction(driveline: Driveline) -> Driveline:

@@ -13,9 +13,9 @@ import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.driveline.dynamics import motion, state_names
-from coupling_design.driveline.initial_state import quasi_steady_state
 from coupling_design.driveline.parameters import Driveline, Shutdown
+from coupling_design.driveline.run_down import run_down_motion, run_down_state_names
+from coupling_design.driveline.start import initial_state
 from coupling_design.errors import SimulationError
 from coupling_design.rollout.recording import record
 from coupling_design.rollout.runge_kutta import rk4_step
@@ -32,6 +32,7 @@ class History:
     coupling_torque : in the elastic part [N m]
     engine_speed, generator_speed : [rad/s]
     generator_angle : turned since the start [rad]
+    crank_angle, gravity_angle : those of the shutdown, at its start [rad]
     """
 
     time: FloatArray
@@ -40,23 +41,24 @@ class History:
     engine_speed: FloatArray
     generator_speed: FloatArray
     generator_angle: FloatArray
-
-
-_SIGNALS = tuple(History.__dataclass_fields__)[1:]
+    crank_angle: float = 0.0
+    gravity_angle: float = 0.0
 
 
 def simulate(driveline: Driveline, shutdown: Shutdown) -> History:
-    """Return the history of a run-down from its quasi-steady start.
+    """Return the history of a run-down from the shutdown's own start and crank angle.
 
     Raises SimulationError, saying when, if the rollout leaves finite numbers.
     """
-    state = ca.SX.sym("state", len(state_names(driveline)))
+    state = ca.SX.sym("state", len(run_down_state_names(driveline, shutdown)))
     none = ca.SX.sym("parameters", 0)
     state_next = rk4_step(
-        lambda y: motion(driveline, y).state_rate, state, shutdown.time_step
+        lambda y: run_down_motion(driveline, shutdown, y).state_rate,
+        state,
+        shutdown.time_step,
     )
     step = ca.Function("step", [state, none], [state_next])
-    start = np.asarray(ca.DM(quasi_steady_state(driveline, shutdown.initial_speed)))
+    start = initial_state(driveline, shutdown)
     states = record(step, shutdown.n_steps, start, np.empty((0, 1)))
     return history_of(driveline, shutdown, states)
 
@@ -73,6 +75,15 @@ def history_of(driveline: Driveline, shutdown: Shutdown, states: FloatArray) -> 
             f"the run-down left finite numbers by {reached:.4g} s, with a step of "
             f"{shutdown.time_step:.3g} s. Take a smaller step, or a softer contact."
         )
-    now = motion(driveline, states)
+    now = run_down_motion(driveline, shutdown, states)
     time = shutdown.time_step * np.arange(states.shape[1], dtype=np.float64)
-    return History(time, *(getattr(now, name) for name in _SIGNALS))
+    return History(
+        time=time,
+        transmission_force=now.transmission_force,
+        coupling_torque=now.coupling_torque,
+        engine_speed=now.engine_speed,
+        generator_speed=now.generator_speed,
+        generator_angle=now.generator_angle - shutdown.crank_angle,
+        crank_angle=float(shutdown.crank_angle),
+        gravity_angle=float(shutdown.gravity_angle),
+    )

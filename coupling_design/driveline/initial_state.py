@@ -28,18 +28,28 @@ _NEWTON_STEPS = 8
 _LEAST_SLOPE = 0.5
 
 
-def quasi_steady_state(driveline: Driveline, initial_speed: float) -> Scalar:
+def all_resistances(driveline: Driveline, speed: Scalar) -> Scalar:
+    """Return what brakes both shafts together at a speed [rad/s], in [N m]."""
+    return resistance_torque(
+        speed, driveline.engine_resistance
+    ) + resistance_torque(speed, driveline.generator_resistance)
+
+
+def quasi_steady_state(
+    driveline: Driveline, initial_speed: Scalar, fuel_torque: Scalar = 0.0
+) -> Scalar:
     """Return the initial state (n_states,), a CasADi expression or DM.
 
     All inertias turn at `initial_speed` [rad/s] and share the mean deceleration;
     coupling and key carry the torque that this takes. Starting untwisted instead
     would be a step of torque, whose ringing can exceed the resonance looked for.
-    The generator's angle is zero.
+    The generator's angle is zero. `fuel_torque` [N m] drives the engine besides: where
+    it balances all resistances nothing slows down, and the line carries T_d alone.
     """
     J2, J3 = driveline.coupling_inertia, driveline.generator_inertia
-    T_f = resistance_torque(initial_speed, driveline.engine_resistance)
     T_d = resistance_torque(initial_speed, driveline.generator_resistance)
-    deceleration = -(T_f + T_d) / (driveline.engine_inertia + J2 + J3)
+    braking = all_resistances(driveline, initial_speed) - fuel_torque
+    deceleration = -braking / (driveline.engine_inertia + J2 + J3)
     r_Fc = J3 * deceleration + T_d
     coupling_twist = (J2 * deceleration + r_Fc) / driveline.coupling.torsional_stiffness
     w = initial_speed

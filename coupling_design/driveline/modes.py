@@ -9,13 +9,14 @@ Sources
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from coupling_design.arithmetic import FloatArray, Scalar, sqrt
+from coupling_design.arithmetic import FloatArray, Scalar, matrix, sqrt
 from coupling_design.driveline.damping import coupling_damping
-from coupling_design.driveline.dynamics import reduced_inertia
+from coupling_design.driveline.dynamics import inertias, reduced_inertia
 from coupling_design.driveline.key_gap import LARGEST_RELATIVE_SLOPE
 from coupling_design.driveline.parameters import Driveline, KeyedConnection, Resistance
 
@@ -52,36 +53,32 @@ def natural_angular_frequency(driveline: Driveline) -> Scalar:
     return sqrt(2 * C / (B + sqrt(B**2 - 4 * C)))
 
 
-def mass_matrix(driveline: Driveline) -> FloatArray:
+def mass_matrix(driveline: Driveline) -> Scalar:
     """Return the inertias on a diagonal, (3, 3) keyed or (2, 2) tight [kg m^2]."""
-    J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
-    J3 = driveline.generator_inertia
-    if isinstance(driveline.connection, KeyedConnection):
-        return np.diag([J1, J2, J3]).astype(float)
-    return np.diag([J1, J2 + J3]).astype(float)
+    masses = inertias(driveline)
+    n = len(masses)
+    return matrix([[masses[i] if i == j else 0.0 for j in range(n)] for i in range(n)])
 
 
-def stiffness_matrix(driveline: Driveline, contact_slope: float = 1.0) -> FloatArray:
+def stiffness_matrix(driveline: Driveline, contact_slope: Scalar = 1.0) -> Scalar:
     """Return the stiffness matrix with the gap closed [N m/rad].
 
     `contact_slope` multiplies the contact stiffness: 1 on the flank of the key.
     """
     k = driveline.coupling.torsional_stiffness
     if isinstance(driveline.connection, KeyedConnection):
-        return _chain(k, contact_slope * driveline.connection.contact_stiffness)
-    return _chain(k)
+        return _chain([k, contact_slope * driveline.connection.contact_stiffness])
+    return _chain([k])
 
 
-def damping_matrix(driveline: Driveline) -> FloatArray:
+def damping_matrix(driveline: Driveline) -> Scalar:
     """Return the damping matrix [N m s/rad], resistances as steep as at standstill."""
     c = coupling_damping(driveline.coupling, reduced_inertia(driveline))
+    first = _resistance_slope(driveline.engine_resistance)
+    last = _resistance_slope(driveline.generator_resistance)
     if isinstance(driveline.connection, KeyedConnection):
-        matrix = _chain(c, driveline.connection.oil_damping)
-    else:
-        matrix = _chain(c)
-    matrix[0, 0] += _resistance_slope(driveline.engine_resistance)
-    matrix[-1, -1] += _resistance_slope(driveline.generator_resistance)
-    return matrix
+        return _chain([c, driveline.connection.oil_damping], [first, 0.0, last])
+    return _chain([c], [first, last])
 
 
 def modes(driveline: Driveline) -> Modes:
@@ -133,17 +130,21 @@ def _stability_function(z: complex) -> complex:
     return 1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24
 
 
-def _chain(*springs: float) -> FloatArray:
-    """Return the matrix of springs in a row between len(springs) + 1 masses."""
+def _chain(springs: Sequence[Scalar], grounds: Sequence[Scalar] = ()) -> Scalar:
+    """Return the matrix of springs in a row between len(springs) + 1 masses.
+
+    `grounds` tie each mass to what stands still.
+    """
     n = len(springs) + 1
-    matrix = np.zeros((n, n))
+    rows: list[list[Scalar]] = [[0.0] * n for _ in range(n)]
     for i, k in enumerate(springs):
-        matrix[i : i + 2, i : i + 2] += k * np.array([[1.0, -1.0], [-1.0, 1.0]])
-    return matrix
+        rows[i][i] += k
+        rows[i + 1][i + 1] += k
+        rows[i][i + 1], rows[i + 1][i] = -k, -k
+    for i, ground in enumerate(grounds):
+        rows[i][i] += ground
+    return matrix(rows)
 
 
-def _resistance_slope(resistance: Resistance) -> float:
-    slope: float = resistance.viscous + (
-        resistance.friction / resistance.transition_speed
-    )
-    return slope
+def _resistance_slope(resistance: Resistance) -> Scalar:
+    return resistance.viscous + resistance.friction / resistance.transition_speed

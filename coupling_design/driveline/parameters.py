@@ -114,14 +114,57 @@ class Driveline:
 
 
 @dataclass(frozen=True)
-class Shutdown:
-    """A run-down: initial speed [rad/s], duration [s] and time step [s]."""
+class SettledStart:
+    """Start from the settled vibration of the engine turned without fuel."""
 
-    initial_speed: float
+
+@dataclass(frozen=True)
+class QuasiSteadyStart:
+    """Start turning evenly, twisted by the mean deceleration; nothing vibrates yet."""
+
+
+@dataclass(frozen=True)
+class FuelCutStart:
+    """Start settled at idle, the fuel's mean torque balancing all resistances.
+
+    It is taken away evenly over `duration` [s]; 0 is at once, the bound.
+    """
+
+    duration: float
+
+
+Start = SettledStart | QuasiSteadyStart | FuelCutStart
+
+
+@dataclass(frozen=True)
+class Shutdown:
+    """A run-down, and where what is chance in it begins.
+
+    Attributes
+    ----------
+    initial_speed : mean speed at t = 0 [rad/s]
+    duration, time_step : [s]
+    start : what the line does at t = 0
+    crank_angle : mean position of the generator's end of the line at t = 0, from which
+        the phases of the orders count [rad]
+    gravity_angle : from the direction in which F_c pushes to gravity, at t = 0 [rad]
+    crank_angles : over how many, evenly spread from `crank_angle`, results are judged
+    """
+
+    initial_speed: Scalar
     duration: float
     time_step: float
+    start: Start = SettledStart()
+    crank_angle: Scalar = 0.0
+    gravity_angle: Scalar = 0.0
+    crank_angles: int = 8
 
     @property
     def n_steps(self) -> int:
         """Number of steps that cover the duration."""
         return round(self.duration / self.time_step)
+
+    @property
+    def fuel_cut_time(self) -> float:
+        """How long the fuel's torque takes to go [s]; 0 where there is none."""
+        return self.start.duration if isinstance(self.start, FuelCutStart) else 0.0

@@ -2,55 +2,57 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-
-import numpy as np
 
 from coupling_design import __version__
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
+from coupling_design.design.conditioning import chaotic
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.histories import rundown_history
 from coupling_design.design.performance import Performance
 from coupling_design.design.signals import RundownHistory
-from coupling_design.driveline.history import simulate
 from coupling_design.explore.grid import Grid, Quantity
 from coupling_design.explore.points import Point
 
 
 @dataclass(frozen=True)
 class Simulation:
-    """A run-down of one coupling: totals, and every signal over time."""
+    """A run-down of one coupling.
+
+    Attributes
+    ----------
+    case, point : what was rolled out
+    performance : its totals, judged over all crank angles
+    signals : over time, of the crank angle whose peak decides
+    is_chaotic : whether a nudge of the start moves the damage by more than it may
+    """
 
     case: Case
     point: Point
     performance: Performance
     signals: Grid
+    is_chaotic: bool
 
 
 def simulate_point(case: Case, point: Point) -> Simulation:
     """Return the run-down of a point; raise SimulationError where it diverges."""
     evaluator = Evaluator(case, point.candidate)
     stiffness, gap = point.torsional_stiffness, point.key_gap
+    performance = evaluator.performance(stiffness, gap)
+    line = evaluator.history(stiffness, gap)
     history = rundown_history(
-        case,
-        point.candidate.label,
-        simulate(evaluator.driveline(stiffness, gap), case.shutdown),
-        evaluator.outline(stiffness, gap),
-        "simulated",
+        case, point.candidate.label, line, performance, "simulated"
     )
-    signals = Grid((_time(history),), _signals(history, case), facts_of(case, point))
-    first, second = history.bearings
-    force = history.driveline.transmission_force
-    totals = [
-        first.damage[-1],
-        second.damage[-1],
-        np.abs(force).max(),
-        first.combined_load.max(),
-        second.combined_load.max(),
-    ]
-    performance = evaluator.read(stiffness, gap, [float(total) for total in totals])
-    return Simulation(case, point, performance, signals)
+    facts = {
+        **facts_of(case, point),
+        "crank_angle": f"{math.degrees(line.crank_angle):.6g} deg",
+        "gravity_angle": f"{math.degrees(line.gravity_angle):.6g} deg",
+    }
+    signals = Grid((_time(history),), _signals(history, case), facts)
+    is_chaotic = chaotic(evaluator, performance)
+    return Simulation(case, point, performance, signals, is_chaotic)
 
 
 def facts_of(case: Case, point: Point) -> dict[str, str]:

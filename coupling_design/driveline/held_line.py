@@ -1,0 +1,95 @@
+"""The line before its run-down: held at its mean speed, marched over a part of a turn.
+
+Each inertia is driven by J_i dec, so that the joints carry what they carry in the
+run-down; the orders push at the crank's mean position, which is one more state.
+"""
+
+from __future__ import annotations
+
+import math
+
+import casadi as ca
+
+from coupling_design.arithmetic import Scalar
+from coupling_design.driveline.dynamics import inertias, motion
+from coupling_design.driveline.initial_state import (
+    all_resistances,
+    quasi_steady_state,
+)
+from coupling_design.driveline.parameters import Driveline, Shutdown
+from coupling_design.driveline.run_down import fuel_torque
+from coupling_design.driveline.settled_state import settled_state
+from coupling_design.rollout.march import march
+from coupling_design.rollout.runge_kutta import rk4_step
+from coupling_design.rollout.sensitivities import with_sensitivities
+
+
+class HeldLine:
+    """The held line's functions of the parameters (m,), and of its state (n,).
+
+    Parameters
+    ----------
+    driveline, shutdown : of values and of the symbols in `parameters`
+    parameters : symbols (m,), the first `n_varied` of which slopes are wanted to
+    """
+
+    def __init__(
+        self, driveline: Driveline, shutdown: Shutdown, parameters: ca.SX, n_varied: int
+    ) -> None:
+        self._line, self._shutdown = driveline, shutdown
+        self._p, self._n_varied = parameters, n_varied
+        self._fuel = fuel_torque(driveline, shutdown)
+        self.n_states = 2 * len(inertias(driveline))
+
+    def guess(self) -> ca.Function:
+        """Return parameters -> state if no gap opened, and its slopes (n, n_varied)."""
+        shutdown = self._shutdown
+        return self._with_slopes(
+            settled_state(
+                self._line, shutdown.initial_speed, shutdown.crank_angle, self._fuel
+            )
+        )
+
+    def crank(self) -> ca.Function:
+        """Return parameters -> the crank's mean position at t = 0 [rad], its slopes."""
+        speed = self._shutdown.initial_speed
+        mean = quasi_steady_state(self._line, speed, self._fuel)
+        return self._with_slopes(ca.SX(self._shutdown.crank_angle + mean[0]))
+
+    def march_over(
+        self, angle: float, speed: float, *, with_slopes: bool
+    ) -> ca.Function:
+        """Return (joint state, parameters and n zeros) -> joint state an angle later.
+
+        The joint state is the held line's and the crank's mean position; with slopes,
+        below it their derivatives to what is varied, then to the line's own start.
+        Steps are no longer than the shutdown's at a mean speed of `speed` [rad/s].
+        """
+        n, v = self.n_states, self._n_varied
+        steps = max(math.ceil(angle / speed / self._shutdown.time_step - 1e-9), 1)
+        h = angle / self._shutdown.initial_speed / steps
+        state = ca.SX.sym("state", n + 1)
+        # Derivatives to the start are carried along as if to parameters of their own.
+        joint = ca.vertcat(self._p, ca.SX.sym("start", n))
+        step = ca.Function(
+            "held",
+            [state, joint],
+            [rk4_step(self._rate, state, h)],
+            ["state", "parameters"],
+            ["state_next"],
+        )
+        if not with_slopes:
+            return march(step, steps)
+        m = self._p.numel()
+        return march(with_sensitivities(step, [*range(v), *range(m, m + n)]), steps)
+
+    def _rate(self, state: Scalar) -> Scalar:
+        line, n = self._line, self.n_states
+        speed = self._shutdown.initial_speed
+        rates = motion(line, state[:n], self._fuel, crank_angle=state[n]).state_rate
+        held = (all_resistances(line, speed) - self._fuel) / sum(inertias(line))
+        return ca.vertcat(rates[: n // 2], rates[n // 2 :] + held, speed)
+
+    def _with_slopes(self, found: Scalar) -> ca.Function:
+        slopes = ca.jacobian(found, self._p[: self._n_varied])
+        return ca.Function("found", [self._p], [found, ca.densify(slopes)])
