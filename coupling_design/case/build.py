@@ -5,6 +5,7 @@ from __future__ import annotations
 from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
 from coupling_design.case.build_coupling import build_damping_law
 from coupling_design.case.build_engine import excitation_of
+from coupling_design.case.build_shutdown import build_shutdown
 from coupling_design.case.case import (
     Case,
     ConnectionKind,
@@ -33,7 +34,6 @@ from coupling_design.driveline.parameters import (
     Driveline,
     ExcitationOrder,
     Resistance,
-    Shutdown,
 )
 
 
@@ -64,7 +64,7 @@ def build_case(
         joint=joint,
         present_coupling_type=present_type,
         present_connection=section.driveline.connection.kind.value,
-        shutdown=Shutdown(**section.shutdown.model_dump()),
+        shutdown=build_shutdown(section.shutdown, section.driveline),
         shaft=ShaftGeometry(**section.shaft.model_dump()),
         bearings=(first, second),
         lubrication=_lubrication(section.lubrication),

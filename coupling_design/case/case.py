@@ -29,6 +29,13 @@ class LoadLimitReading(StrEnum):
     COMBINED_LOAD = "combined_load"
 
 
+class StartWord(StrEnum):
+    """What the line does when a run-down begins, where no fuel is cut."""
+
+    SETTLED = "settled"
+    QUASI_STEADY = "quasi_steady"
+
+
 class Plan(StrEnum):
     """Soft coupling, or one stiff enough to lie above every excitation."""
 

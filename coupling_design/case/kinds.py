@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from coupling_design.case.quantity import Kind
+from coupling_design.case.quantity import Kind, KindOrWord
 
 GAP = Kind(
     "a length",
@@ -39,6 +39,13 @@ STIFFNESS = Kind("a torsional stiffness", "N*m/rad", "0.347 MN*m/rad")
 STRESS = Kind("a stress", "Pa", "800 MPa")
 STRESS_COEFFICIENT = Kind("a stress per root of force", "Pa/N^0.5", "3.62 MPa/N^0.5")
 TIME = Kind("a time", "s", "12 s")
+CUT_TIME = KindOrWord(
+    "a time or the words one cycle",
+    "s",
+    "0.2 s or one cycle",
+    lower=0.0,
+    word="one cycle",
+)
 TORQUE = Kind("a torque", "N*m", "35 kN*m")
 VISCOSITY = Kind("a kinematic viscosity", "m^2/s", "39.6 mm^2/s")
 
@@ -46,6 +53,9 @@ Angle = Annotated[float, ANGLE]
 AngularSpeed = Annotated[float, ANGULAR_SPEED.positive()]
 CompressionRatio = Annotated[float, COMPRESSION_RATIO]
 Count = Annotated[float, NUMBER.between(1.0, 64.0)]
+# 128 columns of a batch are as many as anybody has reason to ask for.
+CrankAngles = Annotated[float, NUMBER.between(1.0, 128.0)]
+CutTime = Annotated[float | str, CUT_TIME]
 CycleAngle = Annotated[float, ANGLE.between(0.0, 4 * math.pi)]
 Damping = Annotated[float, DAMPING.non_negative()]
 EngineLength = Annotated[float, LENGTH.between(1e-3, 10.0)]

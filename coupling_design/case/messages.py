@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any, Literal, get_args, get_origin
 
-from pydantic import BaseModel, Tag, ValidationError
+from pydantic import BaseModel, Discriminator, Tag, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
@@ -150,6 +150,9 @@ def _models(expected: Any) -> list[type[BaseModel]]:
 
 def _forms(expected: Any) -> dict[str, Any]:
     """Return what a value may be by the tag of each: a list, or a mapping."""
+    for choice in get_args(expected):  # one that may be left out
+        if any(isinstance(item, Discriminator) for item in get_args(choice)):
+            return _forms(get_args(choice)[0])
     return {
         item.tag: get_args(form)[0]
         for form in get_args(expected)

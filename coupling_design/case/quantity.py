@@ -154,6 +154,27 @@ class Kind:
             ) from None
 
 
+@dataclass(frozen=True)
+class KindOrWord(Kind):
+    """A kind that one word may stand for; the word stays a text."""
+
+    word: str = ""
+
+    def parse(self, written: Any) -> Any:
+        """Return the word, or the SI value of what is written."""
+        if isinstance(written, str) and " ".join(written.split()) == self.word:
+            return self.word
+        return super().parse(written)
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        """Describe to an editor the word beside how this kind is written."""
+        plain = super().__get_pydantic_json_schema__(schema, handler)
+        about = {key: plain.pop(key) for key in ("description", "examples")}
+        return {"anyOf": [plain, {"const": self.word}], **about}
+
+
 def exceeds(value: float, limit: float) -> bool:
     """Return whether a value is above a limit by more than a unit's rounding."""
     return value > limit and not math.isclose(value, limit, rel_tol=1e-9)

@@ -17,6 +17,7 @@ from coupling_design.case.document import Document
 from coupling_design.case.engine_relations import check_engine
 from coupling_design.case.kinds import (
     AngularSpeed,
+    CrankAngles,
     Gap,
     Number,
     PositiveTorque,
@@ -40,6 +41,7 @@ def check_relations(
     yield from _unique_entries(values)
     yield from _two_bearings(values)
     yield from _shutdown(values)
+    yield from _chances(values)
     yield from _reliability(values)
     yield from check_engine(values, document.file)
     series = [series.name for series in catalogues.types]
@@ -105,6 +107,15 @@ def _shutdown(values: Values) -> Iterator[Problem]:
         yield Problem(
             path,
             f"{found}, which does not divide the duration; write {whole:.9g} s",
+        )
+
+
+def _chances(values: Values) -> Iterator[Problem]:
+    path: Path = ("shutdown", "crank_angles")
+    number = values.read(CrankAngles, *path)
+    if number is not None and number % 1:
+        yield Problem(
+            path, f"found '{values.text(*path)}', allowed are whole numbers, such as 8"
         )
 
 

@@ -53,11 +53,15 @@ class Evaluator:
         self.is_scan, self._judging = scan_of is not None, scan_of or self
         self.rollouts = 0
         shutdown = case.shutdown
-        self.run_downs = (scan_of and scan_of.run_downs) or RunDowns(
-            case,
-            candidate,
-            shutdown.time_step * coarsening / refinement,
-            shutdown.n_steps * refinement // coarsening,
+        self.run_downs: RunDowns = (
+            scan_of.run_downs
+            if scan_of
+            else RunDowns(
+                case,
+                candidate,
+                shutdown.time_step * coarsening / refinement,
+                shutdown.n_steps * refinement // coarsening,
+            )
         )
         self.chances = chances(case, 1 if self.is_scan else shutdown.crank_angles)
         self._coarser: dict[int, Evaluator] = {}

@@ -40,8 +40,8 @@ def rundown_history(
 ) -> RundownHistory:
     """Return a run-down with what the bearings bear in it.
 
-    The run-down is the one whose peak decides. The damage counts as it does in the flow:
-    its last value is one of those whose mean `performance` has.
+    The run-down is the one whose peak decides. Its damage counts as in the flow: the
+    last value is one of those whose mean `performance` has.
     """
     frequency = 2 * math.pi * float(performance.natural_frequency)
     force = collision_force(history, frequency)

@@ -1,7 +1,7 @@
 """Scan, then Ipopt: how every stage looks for a point of one candidate.
 
-The scan looks around from one crank angle; Ipopt, and whatever is compared with its end,
-judges over all of them.
+The scan looks around from one crank angle; Ipopt, and whatever is compared with its
+end, judges over all of them.
 """
 
 from __future__ import annotations

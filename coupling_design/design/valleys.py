@@ -75,7 +75,7 @@ def _zoom(
     middles = [floor.torsional_stiffness for floor in floors]
     best: list[Performance] = []
     for left, points in zip(reversed(range(len(rounds))), rounds, strict=True):
-        # The ends of a bracket decide nothing in the last round, at the case's own step.
+        # In the last round, at the case's own step, a bracket's ends decide nothing.
         inside = [
             sorted({middle, *_between(bracket, points), *(bracket if left else ())})
             for bracket, middle in zip(brackets, middles, strict=True)
@@ -94,7 +94,10 @@ def _bracket(
 ) -> tuple[float, float]:
     """Return the stiffnesses on either side of one, its own where there is none."""
     at = next(i for i, performance in enumerate(performances) if performance is of)
-    around = performances[max(at - 1, 0)], performances[min(at + 1, len(performances) - 1)]
+    around = (
+        performances[max(at - 1, 0)],
+        performances[min(at + 1, len(performances) - 1)],
+    )
     return around[0].torsional_stiffness, around[1].torsional_stiffness
 
 

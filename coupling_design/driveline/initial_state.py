@@ -30,9 +30,9 @@ _LEAST_SLOPE = 0.5
 
 def all_resistances(driveline: Driveline, speed: Scalar) -> Scalar:
     """Return what brakes both shafts together at a speed [rad/s], in [N m]."""
-    return resistance_torque(
-        speed, driveline.engine_resistance
-    ) + resistance_torque(speed, driveline.generator_resistance)
+    return resistance_torque(speed, driveline.engine_resistance) + resistance_torque(
+        speed, driveline.generator_resistance
+    )
 
 
 def quasi_steady_state(

@@ -102,13 +102,14 @@ class PeriodicOrbit:
 
         Newton's matrix is kept while it serves: it costs as much as eight turns.
         """
-        start: FloatArray = self._start(values)
+        start = self._start(values)
         system: FloatArray | None = None
         before = np.inf
         for _ in range(_NEWTON_STEPS):
             if system is None:
                 turn = self._turn_with_slopes(start, values, pieces)
-                states, system, made_at = turn.states, turn.to_start[-1], start
+                system, made_at = turn.to_start[-1], start
+                states = turn.states
             else:
                 states = self._turn(start, values, pieces)
             miss = (states[:, -1] - start - self._whole) / self._scale
@@ -124,7 +125,7 @@ class PeriodicOrbit:
                 system = None  # no longer good enough; the next is made here
                 before = np.inf
                 continue
-            start = start - self._scale * self._solve(system, miss)
+            start = start + self._step(system, miss)
             before = missed
         return None
 
@@ -137,6 +138,10 @@ class PeriodicOrbit:
         first = -scale * self._solve(turn.to_start[-1], turn.to_varied[-1] / scale)
         return states, turn.to_start @ first + turn.to_varied
 
+    def _step(self, to_start: FloatArray, miss: FloatArray) -> FloatArray:
+        step: FloatArray = -self._scale * self._solve(to_start, miss)
+        return step
+
     def _solve(self, to_start: FloatArray, right: FloatArray) -> FloatArray:
         """Return the least scaled step that answers (M - 1) step = right.
 
@@ -144,8 +149,7 @@ class PeriodicOrbit:
         """
         scale = self._scale
         back = (to_start - np.eye(len(scale))) * scale / scale[:, np.newaxis]
-        step: FloatArray = np.linalg.lstsq(back, right, rcond=_NULL)[0]
-        return step
+        return np.asarray(np.linalg.lstsq(back, right, rcond=_NULL)[0], dtype=float)
 
     def _marched(
         self, values: FloatArray, pieces: int, *, with_slopes: bool

@@ -178,7 +178,8 @@ def _machinery(
     case = replace(case, lubrication=replace(case.lubrication, cleanliness=cleanliness))
     p = ca.SX.sym("p", len(NAMES) + 1)
     line = driveline(case, p, tight)
-    begin = joint_start(line, p[_SPEED], p)(p)[0]
+    shutdown = replace(case.shutdown, initial_speed=p[_SPEED])
+    begin = joint_start(line, shutdown, p)(p)[0]
     start = ca.Function("start", [p], [ca.vertcat(begin, ca.SX(len(EXTRAS), 1))])
     step = _step(line, case, case.shutdown.time_step / refinement, p)
     return start, fastest_marcher(step, case.shutdown.n_steps * refinement)
