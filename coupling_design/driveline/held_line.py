@@ -37,7 +37,7 @@ class HeldLine:
         self, driveline: Driveline, shutdown: Shutdown, parameters: ca.SX, n_varied: int
     ) -> None:
         self._line, self._shutdown = driveline, shutdown
-        self._p, self._n_varied = parameters, n_varied
+        self._p, self.n_varied = parameters, n_varied
         self._fuel = fuel_torque(driveline, shutdown)
         self.n_states = 2 * len(inertias(driveline))
 
@@ -56,21 +56,17 @@ class HeldLine:
         mean = quasi_steady_state(self._line, speed, self._fuel)
         return self._with_slopes(ca.SX(self._shutdown.crank_angle + mean[0]))
 
-    def march_over(
-        self, angle: float, speed: float, *, with_slopes: bool
-    ) -> ca.Function:
-        """Return (joint state, parameters and n zeros) -> joint state an angle later.
+    def step(self, angle: float, speed: float) -> tuple[ca.Function, int]:
+        """Return (state, parameters and n zeros) -> state a step later, and its number.
 
-        The joint state is the held line's and the crank's mean position; with slopes,
-        below it their derivatives to what is varied, then to the line's own start.
-        Steps are no longer than the shutdown's at a mean speed of `speed` [rad/s].
+        The state is the held line's and the crank's mean position. So many steps make
+        the crank angle; none is longer than the shutdown's at `speed` [rad/s].
         """
-        n, v = self.n_states, self._n_varied
         steps = max(math.ceil(angle / speed / self._shutdown.time_step - 1e-9), 1)
         h = angle / self._shutdown.initial_speed / steps
-        state = ca.SX.sym("state", n + 1)
+        state = ca.SX.sym("state", self.n_states + 1)
         # Derivatives to the start are carried along as if to parameters of their own.
-        joint = ca.vertcat(self._p, ca.SX.sym("start", n))
+        joint = ca.vertcat(self._p, ca.SX.sym("start", self.n_states))
         step = ca.Function(
             "held",
             [state, joint],
@@ -78,10 +74,22 @@ class HeldLine:
             ["state", "parameters"],
             ["state_next"],
         )
+        return step, steps
+
+    def march_over(
+        self, angle: float, speed: float, *, with_slopes: bool
+    ) -> ca.Function:
+        """Return the march of these steps over a crank angle [rad].
+
+        With slopes the derivatives to what is varied, then to the line's own start, lie
+        below the state.
+        """
+        step, steps = self.step(angle, speed)
         if not with_slopes:
             return march(step, steps)
-        m = self._p.numel()
-        return march(with_sensitivities(step, [*range(v), *range(m, m + n)]), steps)
+        n, m = self.n_states, self._p.numel()
+        varied = [*range(self.n_varied), *range(m, m + n)]
+        return march(with_sensitivities(step, varied), steps)
 
     def _rate(self, state: Scalar) -> Scalar:
         line, n = self._line, self.n_states
@@ -91,5 +99,5 @@ class HeldLine:
         return ca.vertcat(rates[: n // 2], rates[n // 2 :] + held, speed)
 
     def _with_slopes(self, found: Scalar) -> ca.Function:
-        slopes = ca.jacobian(found, self._p[: self._n_varied])
+        slopes = ca.jacobian(found, self._p[: self.n_varied])
         return ca.Function("found", [self._p], [found, ca.densify(slopes)])

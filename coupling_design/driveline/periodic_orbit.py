@@ -21,6 +21,8 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.driveline.held_line import HeldLine
+from coupling_design.rollout.fastest import fastest_marcher
+from coupling_design.rollout.marcher import Marcher
 
 # A march cut in so many pieces keeps what is between: the angles are read off it.
 _FEWEST_PIECES = 8
@@ -43,7 +45,8 @@ class SettledVibration:
     Attributes
     ----------
     states : (n_states, n_angles)
-    slopes : to the varied parameters (n_angles, n_states, n_varied)
+    slopes : to the varied parameters (n_angles, n_states, n_varied); zero where the
+        vibration does not repeat, as it has none then
     repeats : whether it is periodic with the orders
     """
 
@@ -74,6 +77,7 @@ class PeriodicOrbit:
     def __init__(self, line: HeldLine, period: float, speed: float) -> None:
         self._line, self._period, self._speed = line, period, speed
         self._marches: dict[tuple[int, bool], ca.Function] = {}
+        self._long: dict[int, Marcher] = {}
 
     def prepare(self, n_angles: int) -> None:
         """Build what `settle` needs, so that threads may share it."""
@@ -90,10 +94,13 @@ class PeriodicOrbit:
         """
         pieces = _pieces(n_angles)
         found = self._orbit(values, pieces, with_slopes=with_slopes)
-        repeats = found is not None
-        states, slopes = found or self._marched(values, pieces, with_slopes=with_slopes)
         every = pieces // n_angles
-        return SettledVibration(states[:, :-1:every], slopes[:-1:every], repeats)
+        if found is not None:
+            states, slopes = found
+            return SettledVibration(states[:, :-1:every], slopes[:-1:every], True)
+        states = self._marched(values, pieces)
+        slopes = np.zeros((n_angles, self._line.n_states, self._line.n_varied))
+        return SettledVibration(states[:, :-1:every], slopes, repeats=False)
 
     def _orbit(
         self, values: FloatArray, pieces: int, *, with_slopes: bool
@@ -151,24 +158,23 @@ class PeriodicOrbit:
         back = (to_start - np.eye(len(scale))) * scale / scale[:, np.newaxis]
         return np.asarray(np.linalg.lstsq(back, right, rcond=_NULL)[0], dtype=float)
 
-    def _marched(
-        self, values: FloatArray, pieces: int, *, with_slopes: bool
-    ) -> tuple[FloatArray, FloatArray]:
-        """Return the last of many turns, slopes carried along from the first."""
-        start = self._start(values)
-        slopes = np.asarray(self._guess(values)[1], dtype=float)
-        states = np.empty(0)
-        along = np.zeros((pieces + 1, *slopes.shape))
-        for _ in range(_MARCHED_PERIODS):
-            if with_slopes:
-                turn = self._turn_with_slopes(start, values, pieces)
-                states = turn.states
-                along = turn.to_start @ slopes + turn.to_varied
-                slopes = along[-1]
-            else:
-                states = self._turn(start, values, pieces)
-            start = states[:, -1] - self._whole
-        return states, along
+    def _marched(self, values: FloatArray, pieces: int) -> FloatArray:
+        """Return the states over the last of many turns."""
+        march, parameters = self._long_march(pieces), self._padded(values)
+        start = np.array([*self._start(values), float(self._crank(values)[0])])
+        end = march(start[:, np.newaxis], parameters[:, np.newaxis], 1)
+        settled = end.ravel()[:-1] - _MARCHED_PERIODS * self._whole
+        return self._turn(settled, values, pieces)
+
+    def _long_march(self, pieces: int) -> Marcher:
+        if pieces not in self._long:
+            step, steps = self._line.step(self._period / pieces, self._speed)
+            n_steps = _MARCHED_PERIODS * pieces * steps
+            self._long[pieces] = fastest_marcher(step, n_steps)
+        return self._long[pieces]
+
+    def _padded(self, values: FloatArray) -> FloatArray:
+        return np.concatenate([values, np.zeros(self._line.n_states)])
 
     def _start(self, values: FloatArray) -> FloatArray:
         return np.asarray(self._guess(values)[0], dtype=float).ravel()
@@ -177,7 +183,7 @@ class PeriodicOrbit:
         """Return the states over one period (n, pieces + 1)."""
         crank = float(self._crank(values)[0])
         march = self._piece(pieces, with_slopes=False)
-        parameters = np.concatenate([values, np.zeros(self._line.n_states)])
+        parameters = self._padded(values)
         passed = [np.array([*start, crank])]
         for _ in range(pieces):
             end = march(passed[-1], parameters)
@@ -194,7 +200,7 @@ class PeriodicOrbit:
         joint[n, 1 : 1 + v] = crank_slopes.ravel()
         joint[:n, 1 + v :] = np.eye(n)
         march = self._piece(pieces, with_slopes=True)
-        parameters = np.concatenate([values, np.zeros(n)])
+        parameters = self._padded(values)
         passed = [joint]
         for _ in range(pieces):
             end = march(passed[-1].ravel(order="F"), parameters)
