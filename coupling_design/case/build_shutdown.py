@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from coupling_design.case.case import StartWord
 from coupling_design.case.engine_schema import EngineExcitation
-from coupling_design.case.schema import DrivelineSection, ShutdownSection
-from coupling_design.case.schema import FuelCutSection as FuelCut
+from coupling_design.case.schema import DrivelineSection
+from coupling_design.case.shutdown_schema import FuelCutSection, ShutdownSection
 from coupling_design.driveline.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
@@ -36,7 +36,7 @@ def build_shutdown(section: ShutdownSection, driveline: DrivelineSection) -> Shu
 
 def _start(section: ShutdownSection, driveline: DrivelineSection) -> Start:
     start = section.start
-    if isinstance(start, FuelCut):
+    if isinstance(start, FuelCutSection):
         over = start.fuel_cut.over.value
         if isinstance(over, str):
             over = cycle_time(section.initial_speed.value, driveline)

@@ -11,19 +11,11 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, Discriminator, Field, Tag
 
 from coupling_design.bearing.parameters import BearingType, Cleanliness
-from coupling_design.case.case import (
-    Choice,
-    ConnectionKind,
-    LoadLimitReading,
-    Plan,
-    StartWord,
-)
+from coupling_design.case.case import Choice, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.case.engine_schema import EngineExcitation
 from coupling_design.case.kinds import (
     Angle,
     AngularSpeed,
-    CrankAngles,
-    CutTime,
     Damping,
     Force,
     Friction,
@@ -37,10 +29,10 @@ from coupling_design.case.kinds import (
     Stiffness,
     Stress,
     StressCoefficient,
-    Time,
     Torque,
     Viscosity,
 )
+from coupling_design.case.shutdown_schema import ShutdownSection
 from coupling_design.case.stated import Section, Stated
 
 Text = Annotated[str, Field(min_length=1)]
@@ -103,44 +95,6 @@ class DrivelineSection(Section):
     excitation: Excitation
     engine_resistance: ShaftResistance
     generator_resistance: ShaftResistance
-
-
-class FuelCut(Section):
-    """How the fuel's torque goes: evenly over a time, or one working cycle."""
-
-    over: Stated[CutTime]
-
-
-class FuelCutSection(Section):
-    """A start settled at idle, from which the fuel is taken away."""
-
-    fuel_cut: FuelCut
-
-
-def _form_of_start(written: Any) -> str:
-    is_cut = isinstance(written, FuelCutSection) or (
-        isinstance(written, dict) and "value" not in written
-    )
-    return "fuel_cut" if is_cut else "word"
-
-
-StartOfShutdown = Annotated[
-    Annotated[Stated[StartWord], Tag("word")]
-    | Annotated[FuelCutSection, Tag("fuel_cut")],
-    Discriminator(_form_of_start),
-]
-
-
-class ShutdownSection(Section):
-    """The run-down to simulate, from where, and over which chances it is judged."""
-
-    initial_speed: Stated[AngularSpeed]
-    duration: Stated[Time]
-    time_step: Stated[Time]
-    start: StartOfShutdown | None = None
-    crank_angle: Stated[Angle] | None = None
-    gravity_angle: Stated[Angle] | None = None
-    crank_angles: Stated[CrankAngles] | None = None
 
 
 class ShaftSection(Section):

@@ -7,23 +7,22 @@ over evenly spread ones, its peaks are the largest.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 
 import numpy as np
 
-from coupling_design.arithmetic import FloatArray, Scalar
+from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
-from coupling_design.design.candidate import Candidate, candidate_driveline
+from coupling_design.design.candidate import Candidate
 from coupling_design.design.chance import chances
 from coupling_design.design.joint import TOTALS
 from coupling_design.design.performance import Performance, performance_of
+from coupling_design.design.point_reader import PointReader
 from coupling_design.design.run_downs import RunDowns, joint_states
 from coupling_design.design.totals import over_chance, spread_of
 from coupling_design.driveline.history import History
-from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import Driveline, Start
+from coupling_design.driveline.parameters import Start
 
 _REMEMBERED = 64  # gradients: a solver asks at most a few times in a row
 _HISTORIES = 2
@@ -31,7 +30,7 @@ _HISTORIES = 2
 Point = tuple[float, float]
 
 
-class Evaluator:
+class Evaluator(PointReader):
     """Rollouts of one candidate of a case, with exact gradients.
 
     `refinement` divides the time step, `coarsening` multiplies it: the latter must
@@ -48,7 +47,7 @@ class Evaluator:
         *,
         scan_of: Evaluator | None = None,
     ) -> None:
-        self.case, self.candidate = case, candidate
+        super().__init__(case, candidate)
         self.refinement, self.coarsening = refinement, coarsening
         self.is_scan, self._judging = scan_of is not None, scan_of or self
         self.rollouts = 0
@@ -67,26 +66,16 @@ class Evaluator:
         self._coarser: dict[int, Evaluator] = {}
         self._performances: dict[float, dict[Point, Performance]] = {}
         self._histories: dict[Point, History] = {}
+        self._unsettled: set[Point] = set()
         self._known: dict[Point, tuple[FloatArray, FloatArray]] = {}
-
-    def driveline(self, torsional_stiffness: Scalar, key_gap: Scalar) -> Driveline:
-        """Return the driveline at a design point, values or symbols."""
-        return candidate_driveline(
-            self.case, self.candidate, torsional_stiffness, key_gap
-        )
-
-    def natural_frequency(self, torsional_stiffness: Scalar) -> Scalar:
-        """Return the lowest natural frequency with the gap closed [Hz]."""
-        driveline = self.driveline(torsional_stiffness, 0.0)
-        return natural_angular_frequency(driveline) / (2 * math.pi)
 
     def performance(
         self, torsional_stiffness: float, key_gap: float, start_offset: float = 0.0
     ) -> Performance:
         """Return what a run-down does at a point.
 
-        `start_offset` [rad] turns the crank before the start, to see how far a result
-        depends on it. Raises SimulationError where the rollout leaves finite numbers.
+        `start_offset` [rad] turns the crank before the start. Raises SimulationError
+        where a rollout leaves finite numbers.
         """
         return self.performances([(torsional_stiffness, key_gap)], start_offset)[0]
 
@@ -109,8 +98,8 @@ class Evaluator:
     ) -> Callable[[int | None], FloatArray]:
         """Return what rolls out many points with so many threads, to their ends.
 
-        Everything else is done here, and counted: what is returned is the march alone,
-        which touches nothing that another thread may be building.
+        All else is done and counted here: what is returned is the march alone, which
+        touches nothing that another thread may be building.
         """
         columns = self.run_downs.variables.columns(points, self.chances)
         starts = self._starts(columns)
@@ -127,7 +116,8 @@ class Evaluator:
         for i, (point, f) in enumerate(zip(points, frequencies, strict=True)):
             totals = ends[-len(TOTALS) :, i * n : (i + 1) * n]
             self._check(totals, point)
-            spread = None if self.is_scan else spread_of(totals)
+            repeats = point not in self._unsettled
+            spread = None if self.is_scan else spread_of(totals, repeats=repeats)
             judged = over_chance(totals).tolist()
             found.append(performance_of(*point, f, judged, spread))
         return tuple(found)
@@ -165,10 +155,6 @@ class Evaluator:
             )
         return self._histories[point]
 
-    def outline(self, torsional_stiffness: float, key_gap: float = 0.0) -> Performance:
-        """Return a performance that is known without a rollout, its loads left zero."""
-        return self.read(torsional_stiffness, key_gap, [0.0] * len(TOTALS))
-
     def totals_and_jacobian(
         self, torsional_stiffness: float, key_gap: float
     ) -> tuple[FloatArray, FloatArray]:
@@ -186,13 +172,6 @@ class Evaluator:
             judged = over_chance(totals, *slopes)
             self._known[point] = judged[:, 0], judged[:, 1:]
         return self._known[point]
-
-    def read(
-        self, torsional_stiffness: Scalar, key_gap: Scalar, totals: Scalar
-    ) -> Performance:
-        """Return the performance that `totals` describe, numbers or symbols."""
-        frequency = self.natural_frequency(torsional_stiffness)
-        return performance_of(torsional_stiffness, key_gap, frequency, totals)
 
     @cached_property
     def refined(self) -> Evaluator:
@@ -230,10 +209,6 @@ class Evaluator:
         """How many rollouts the coarser ones have made."""
         return sum(evaluator.all_rollouts for evaluator in self._coarser.values())
 
-    def start_compiling(self) -> None:
-        """Have the machine code of values made while something else is done."""
-        self.run_downs.start_compiling()
-
     @property
     def is_compiled(self) -> bool:
         """Whether the rollouts run as machine code."""
@@ -253,13 +228,14 @@ class Evaluator:
         starting = self.run_downs.starting()
         if self.is_scan:
             return starting.closed(columns)
-        return starting(columns, self.chances.shape[1]).states
+        n = self.chances.shape[1]
+        starts = starting(columns, n)
+        firsts = zip(columns[:2, ::n].T.tolist(), starts.repeats, strict=True)
+        self._unsettled.update((k, gap) for (k, gap), repeats in firsts if not repeats)
+        return starts.states
 
     def _check(self, totals: FloatArray, point: Point) -> None:
         """Raise SimulationError, saying when, if totals (..., n) are not finite."""
-        if np.isfinite(totals).all():
-            return
-        columns = self.run_downs.variables.columns([point], self.chances)
-        n = columns.shape[1]
-        at = int(np.argmin(np.isfinite(totals).reshape(-1, n).all(axis=0)))
-        raise self.run_downs.divergence(self._starts(columns)[:, at], columns[:, at])
+        if not np.isfinite(totals).all():
+            columns = self.run_downs.variables.columns([point], self.chances)
+            raise self.run_downs.divergence(self._starts(columns), columns, totals)

@@ -96,7 +96,7 @@ def _start_compiling(bench: Workbench) -> None:
     stiff = (t for t in case.coupling_types if t.plan is Plan.HIGH_STIFFNESS)
     tight = (Candidate(each, options_of(case, each)[-1]) for each in stiff)
     for candidate in (present_candidate(case), *tight):
-        bench.evaluator(candidate).start_compiling()
+        bench.evaluator(candidate).run_downs.start_compiling()
 
 
 def _outcome(state: FlowState, began: float) -> DesignOutcome:

@@ -30,9 +30,6 @@ from coupling_design.rollout.fastest import fastest_marcher
 from coupling_design.rollout.marcher import Marcher
 from coupling_design.rollout.sensitivities import with_sensitivities
 
-# Of the case's initial speed: no variation of it that is looked at is slower.
-_SLOWEST = 0.9
-
 
 class RunDowns:
     """What marches a candidate's run-downs from columns of its variables to their ends.
@@ -57,7 +54,7 @@ class RunDowns:
                 replace(mine.shutdown, start=law),
                 mine.symbols,
                 N_DESIGN,
-                _SLOWEST * float(self.case.shutdown.initial_speed),
+                float(self.case.shutdown.initial_speed),
             )
         return self._starting[law]
 
@@ -89,8 +86,13 @@ class RunDowns:
         )
         return history_of(driveline, shutdown, states)
 
-    def divergence(self, start: FloatArray, column: FloatArray) -> SimulationError:
-        """Return that a run-down from a state (n,) left finite numbers, and when."""
+    def divergence(
+        self, starts: FloatArray, columns: FloatArray, totals: FloatArray
+    ) -> SimulationError:
+        """Return that the first run-down whose totals (..., b) are lost, and when."""
+        kept = np.isfinite(totals).reshape(-1, columns.shape[1]).all(axis=0)
+        at = int(np.argmin(kept))
+        start, column = starts[:, at], columns[:, at]
         state = ca.DM(joint_states(start[:, np.newaxis]))
         steps = steps_to_divergence(self.step, self.n_steps, state, ca.DM(column))
         k, gap = column[:N_DESIGN]

@@ -34,12 +34,16 @@ def over_chance(totals: FloatArray, *slopes: FloatArray) -> FloatArray:
     return np.stack(judged, axis=1) if slopes else judged[0]
 
 
-def spread_of(totals: FloatArray) -> Spread:
-    """Return how far totals (n_totals, n) reach over their n run-downs."""
+def spread_of(totals: FloatArray, *, repeats: bool = True) -> Spread:
+    """Return how far totals (n_totals, n) reach over their n run-downs.
+
+    `repeats` is whether the vibration they start from is periodic.
+    """
     lowest, highest = totals.min(axis=1).tolist(), totals.max(axis=1).tolist()
     return Spread(
         crank_angles=totals.shape[1],
         damages=((lowest[0], highest[0]), (lowest[1], highest[1])),
         peak_transmission_force=(lowest[_PEAK_FORCE], highest[_PEAK_FORCE]),
         worst=int(totals[_PEAK_FORCE].argmax()),
+        repeats=repeats,
     )

@@ -22,6 +22,8 @@ from coupling_design.driveline.periodic_orbit import PeriodicOrbit
 from coupling_design.driveline.run_down import closed_start
 from coupling_design.driveline.settled_state import period_of
 
+_SLOWEST = 0.9  # of the nominal speed; it sets the number of steps in a period
+
 
 @dataclass(frozen=True)
 class Starts:
@@ -46,7 +48,7 @@ class StartingStates:
     ----------
     driveline, shutdown : of values and of the symbols in `parameters`
     parameters : symbols (m,), the first `n_varied` of which slopes are wanted to
-    slowest_speed : slowest initial speed that will be asked for [rad/s]
+    speed : nominal initial speed [rad/s]; none 10 % slower will be asked for
     """
 
     def __init__(
@@ -55,10 +57,10 @@ class StartingStates:
         shutdown: Shutdown,
         parameters: ca.SX,
         n_varied: int,
-        slowest_speed: float,
+        speed: float,
     ) -> None:
         self._line, self._shutdown, self._p = driveline, shutdown, parameters
-        self._n_varied, self._slowest = n_varied, slowest_speed
+        self._n_varied, self._slowest = n_varied, _SLOWEST * speed
 
     def closed(self, columns: FloatArray) -> FloatArray:
         """Return the states (n, b) for parameters (m, b), as if no gap opened."""

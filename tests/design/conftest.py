@@ -177,11 +177,20 @@ class Landscape(Evaluator):
     def refined(self):
         return self
 
+    @property
+    def scan(self):
+        return self
+
+    @property
+    def all_rollouts(self):
+        return self.rollouts
+
     def performance(self, torsional_stiffness, key_gap, start_offset=0.0):
         return self.performances([(torsional_stiffness, key_gap)])[0]
 
     def performances(self, points, start_offset=0.0):
         self.rollouts += len(points)
+        points = [tuple(map(float, point)) for point in points]
         totals = [self._formula(ca.DM(point)).full().ravel() for point in points]
         return tuple(
             self.read(*point, values.tolist())

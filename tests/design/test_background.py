@@ -68,8 +68,8 @@ def futures(found):
 def at_once(found, evaluator):
     """Return the rows that a new evaluator rolls out, all of them in one batch."""
     points = [(p.torsional_stiffness, p.key_gap) for row in found.rows for p in row]
-    own = evaluator.performances(points)
-    longer = evaluator.coarser(found.coarse.times).performances(points)
+    own = evaluator.scan.performances(points)
+    longer = evaluator.scan.coarser(found.coarse.times).performances(points)
     inner = slice(N, N * (GAPS - 1))
     flat = [*own[: inner.start], *longer[inner], *own[inner.stop :]]
     return tuple(tuple(flat[i : i + N]) for i in range(0, len(flat), N))
@@ -126,7 +126,7 @@ def test_a_row_that_diverges_has_the_cases_own_step(
     diverge(monkeypatch, lambda e, points: e.coarsening > 1 and is_third_row(points))
     found, workbench = plane(fine)
     points = [(p.torsional_stiffness, p.key_gap) for p in expected[2]]
-    own = evaluator(fine, "rubber", "key").performances(points)
+    own = evaluator(fine, "rubber", "key").scan.performances(points)
     assert found.rows == (*expected[:2], own, *expected[3:])
     assert own != expected[2]
     assert workbench.rollouts == 3 * N  # the sample lies in that row

@@ -168,7 +168,7 @@ def test_where_derivatives_fail_the_scan_stands(landscape):
     scan = scan_of(program)
     found = optimise(program, scan, 2)
     assert found.method == "scan"
-    assert found.performance is best_first(program, scan)[0]
+    assert found.performance == best_first(program, scan)[0]
 
 
 def test_where_derivatives_are_not_numbers_the_scan_stands(landscape):
@@ -180,7 +180,7 @@ def test_where_derivatives_are_not_numbers_the_scan_stands(landscape):
     scan = scan_of(program)
     found = optimise(program, scan, 2)
     assert found.method == "scan"
-    assert found.performance is best_first(program, scan)[0]
+    assert found.performance == best_first(program, scan)[0]
 
 
 def kinked(k, gap):

@@ -86,7 +86,7 @@ def test_outer_rows_have_the_cases_own_step(quick, bench, candidate):
     _, program, plane = mapped(quick, bench, candidate, quick.shutdown.time_step / 8)
     for row in (plane.smallest_gap, plane.largest_gap):
         points = [(p.torsional_stiffness, p.key_gap) for p in row]
-        exact = program.evaluator.performances(points)
+        exact = program.evaluator.scan.performances(points)
         np.testing.assert_array_equal(
             [p.damage for p in row], [p.damage for p in exact]
         )
@@ -100,7 +100,7 @@ def test_a_longer_step_that_is_too_far_off_is_not_taken(
     _, program, plane = mapped(quick, bench, candidate, fine)
     assert plane.coarse is None
     inner = plane.rows[2][5]
-    assert inner == program.evaluator.performance(
+    assert inner == program.evaluator.scan.performance(
         inner.torsional_stiffness, inner.key_gap
     )
 
