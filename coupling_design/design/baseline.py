@@ -16,6 +16,7 @@ from coupling_design.design.conditioning import conditioning
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.results import Baseline, Performance, Rundown
 from coupling_design.design.search import Workbench
+from coupling_design.design.sensitivity import sensitivity
 from coupling_design.design.state import connection_option
 from coupling_design.driveline.modes import largest_stable_step
 from coupling_design.driveline.resonance import largest_swing, rest_time
@@ -46,6 +47,7 @@ def evaluate_baseline(bench: Workbench) -> Baseline:
         conditioning=conditioning(evaluator, performance),
         time_step=case.shutdown.time_step,
         largest_stable_step=largest_stable_step(driveline),
+        sensitivity=sensitivity(evaluator, performance),
     )
 
 

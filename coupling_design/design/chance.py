@@ -27,6 +27,7 @@ class Spread:
     crank_angles : how many run-downs there were
     damages : of bearing 1 and of bearing 2 [-]
     peak_transmission_force : [N]
+    mean_peak : mean of that force [N]
     worst : place of the run-down with the largest peak force
     repeats : whether the settled vibration they start from is periodic
     """
@@ -34,6 +35,7 @@ class Spread:
     crank_angles: int
     damages: tuple[tuple[float, float], tuple[float, float]]
     peak_transmission_force: tuple[float, float]
+    mean_peak: float
     worst: int
     repeats: bool = True
 

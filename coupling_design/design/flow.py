@@ -18,6 +18,7 @@ from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
 from coupling_design.design.coupling_checks import size_criteria, torque_criteria
 from coupling_design.design.discrete import choose_size, settle
+from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.histories import (
     chosen_plane,
     rundown_history,
@@ -38,6 +39,7 @@ from coupling_design.design.search import (
     Progress,
     Workbench,
 )
+from coupling_design.design.sensitivity import reduction_range, sensitivity
 from coupling_design.design.signals import RundownHistory
 from coupling_design.design.stability import check_time_step
 from coupling_design.design.stages.bearing_load import limit_bearing_load
@@ -53,6 +55,7 @@ from coupling_design.design.state import (
     connection_option,
     options_of,
 )
+from coupling_design.driveline.parameters import FuelCutStart
 
 Stage = Callable[[FlowState], FlowState]
 
@@ -139,6 +142,7 @@ def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
     evaluator = state.bench.evaluator(candidate)
     performance = solution.optimum.performance
     state.bench.progress("run-down of the chosen coupling")
+    moved = sensitivity(evaluator, performance)
     return ChosenDesign(
         plan=solution.plan,
         coupling_type=candidate.coupling_type.name,
@@ -156,8 +160,25 @@ def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
             ),
             *(limit.criterion(performance) for limit in solution.constraints),
         ),
+        sensitivity=moved,
+        reduction_range=reduction_range(state.baseline.sensitivity, moved),
+        fuel_cut_at_once=_at_once(evaluator, performance)
+        if solution.plan is Plan.HIGH_STIFFNESS
+        else None,
         size=candidate.size.name if candidate.size else None,
     )
+
+
+def _at_once(evaluator: Evaluator, performance: Performance) -> Performance | None:
+    """Return what a design does if the fuel's torque goes at once, the bound.
+
+    None where the run-down has another equation, its fuel being cut over a time.
+    """
+    if evaluator.case.shutdown.fuel_cut_time:
+        return None
+    point = performance.torsional_stiffness, performance.key_gap
+    columns = evaluator.run_downs.variables.columns([point], evaluator.chances)
+    return evaluator.performances_from(columns, FuelCutStart(0.0))[0]
 
 
 def _histories(

@@ -10,6 +10,7 @@ from coupling_design.design.catalogue_choice import CatalogueChoice
 from coupling_design.design.performance import Criterion as Criterion
 from coupling_design.design.performance import Performance as Performance
 from coupling_design.design.performance import Sense as Sense
+from coupling_design.design.sensitivity import Sensitivity
 from coupling_design.design.signals import RundownHistory
 
 
@@ -171,6 +172,12 @@ class Baseline:
     conditioning: Conditioning
     time_step: float
     largest_stable_step: float
+    sensitivity: Sensitivity
+
+    @property
+    def digits(self) -> int:
+        """Digits of the damage that stand, numerically and when inputs move."""
+        return min(self.conditioning.digits, self.sensitivity.digits)
 
 
 @dataclass(frozen=True)
@@ -178,6 +185,9 @@ class ChosenDesign:
     """The coupling to take, against the present one and against every limit.
 
     `size` is its name in the catalogue, None for an ideal stiffness between sizes.
+    `reduction_range` is what the reduction of damage lies between when inputs move;
+    `fuel_cut_at_once`, of the high-stiffness plan alone, what it does if the fuel's
+    torque goes at once, the bound.
     """
 
     plan: Plan
@@ -188,7 +198,15 @@ class ChosenDesign:
     conditioning: Conditioning
     damage_reduction: float
     criteria: tuple[Criterion, ...]
+    sensitivity: Sensitivity
+    reduction_range: tuple[float, float]
+    fuel_cut_at_once: Performance | None = None
     size: str | None = None
+
+    @property
+    def digits(self) -> int:
+        """Digits of the damage that stand, numerically and when inputs move."""
+        return min(self.conditioning.digits, self.sensitivity.digits)
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ class Effort:
 
 # What a minute affords without machine code, and what a few seconds afford with it.
 COARSE = Effort(32, 2, 11, 4, 3)
-CLOSE = Effort(64, 32, 16, 8, 3)
+CLOSE = Effort(48, 16, 16, 8, 3)
 
 
 @dataclass

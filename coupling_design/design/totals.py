@@ -44,6 +44,7 @@ def spread_of(totals: FloatArray, *, repeats: bool = True) -> Spread:
         crank_angles=totals.shape[1],
         damages=((lowest[0], highest[0]), (lowest[1], highest[1])),
         peak_transmission_force=(lowest[_PEAK_FORCE], highest[_PEAK_FORCE]),
+        mean_peak=float(totals[_PEAK_FORCE].mean()),
         worst=int(totals[_PEAK_FORCE].argmax()),
         repeats=repeats,
     )

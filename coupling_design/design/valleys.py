@@ -8,12 +8,13 @@ import numpy as np
 
 from coupling_design.design.activity import active_constraints
 from coupling_design.design.conditioning import conditioning
+from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.problem import DesignProblem
 from coupling_design.design.results import Optimum, Performance
 from coupling_design.design.scan import best_first, local_minima
 
-# Points in each bracket, round by round: what is left of it is 1/80 or less.
-_WITH_LANES, _ONE_BY_ONE = (8, 8, 6), (3,) * 5
+# Points in each bracket, round by round: what is left of it is 1/180 and 1/32.
+_WITH_LANES, _ONE_BY_ONE = (16, 16, 4), (3,) * 5
 # Valleys whose loads over the limit differ by less than this are equally good.
 _SAME_LOAD = 1e-3
 
@@ -32,7 +33,10 @@ def smallest_load(
     """
     before = _rollouts(problem)
     floors = best_first(problem, local_minima(problem, scanned))[:n_valleys]
-    ends = _zoom(problem, scanned, floors, coarsening)
+    looked, ends = _zoom(problem, problem.evaluator.scan, scanned, floors, coarsening)
+    if _is_open(problem, looked, ends):
+        judge = problem.evaluator
+        _, ends = _zoom(problem, judge, scanned, floors, coarsening)
     rollouts = _rollouts(problem) - before
     winner = best_first(problem, ends)[0]
     same = [abs(float(problem.value(end) - problem.value(winner))) for end in ends]
@@ -57,36 +61,52 @@ def _rollouts(problem: DesignProblem) -> int:
     return problem.evaluator.all_rollouts + problem.evaluator.coarse_rollouts
 
 
+def _is_open(
+    problem: DesignProblem,
+    looked: Sequence[Performance],
+    ends: Sequence[Performance],
+) -> bool:
+    """Return whether one crank angle leaves open if some stiffness keeps the limits.
+
+    A peak over all crank angles is no smaller than that of one: where the smallest of
+    one is too large, so are all. Only where it is not, and the ends are, is it open.
+    """
+    one = min(float(problem.load_ratio(each)) for each in looked)
+    return one <= 1.0 < min(float(problem.load_ratio(end)) for end in ends)
+
+
 def _zoom(
     problem: DesignProblem,
+    guide: Evaluator,
     scanned: Sequence[Performance],
     floors: Sequence[Performance],
     coarsening: int,
-) -> list[Performance]:
+) -> tuple[list[Performance], list[Performance]]:
     """Return the best point of each valley, between the neighbours of its floor.
 
     Every round rolls out a few points in every bracket, all in one batch, and goes on
-    between the neighbours of the best; each point is judged over all crank angles.
+    between the neighbours of the best: first as `guide` sees them, in the last round
+    judged over all crank angles. What the guide saw last comes first.
     """
-    evaluator, gap = problem.evaluator, floors[0].key_gap
-    coarser = evaluator.coarser(coarsening) if coarsening > 1 else evaluator
-    rounds = _WITH_LANES if evaluator.is_compiled else _ONE_BY_ONE
+    gap = floors[0].key_gap
+    coarser = guide.coarser(coarsening) if coarsening > 1 else guide
+    rounds = _WITH_LANES if guide.is_compiled else _ONE_BY_ONE
     brackets = [_bracket(scanned, floor) for floor in floors]
-    middles = [floor.torsional_stiffness for floor in floors]
-    best: list[Performance] = []
+    best, looked = list(floors), list(floors)
     for left, points in zip(reversed(range(len(rounds))), rounds, strict=True):
         # In the last round, at the case's own step, a bracket's ends decide nothing.
         inside = [
-            sorted({middle, *_between(bracket, points), *(bracket if left else ())})
-            for bracket, middle in zip(brackets, middles, strict=True)
+            sorted({at.torsional_stiffness, *_between(bracket, points)})
+            if not left
+            else sorted({*bracket, at.torsional_stiffness, *_between(bracket, points)})
+            for bracket, at in zip(brackets, best, strict=True)
         ]
-        judge = coarser if left else evaluator
+        judge = coarser if left else problem.evaluator
         found = judge.performances([(k, gap) for row in inside for k in row])
         rows = [[p for p in found if p.torsional_stiffness in row] for row in inside]
-        best = [best_first(problem, row)[0] for row in rows]
-        middles = [each.torsional_stiffness for each in best]
+        looked, best = best, [best_first(problem, row)[0] for row in rows]
         brackets = [_bracket(row, at) for row, at in zip(rows, best, strict=True)]
-    return best
+    return looked, best
 
 
 def _bracket(

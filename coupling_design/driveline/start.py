@@ -87,9 +87,9 @@ class StartingStates:
         repeats = [True] * groups
         firsts = [columns[:, i * n_angles] for i in range(groups)]
         opening = [i for i, values in enumerate(firsts) if self._opens(values)]
-        if opening:
-            # Built before threads share it.
-            self._orbit.prepare(n_angles)
+        if not opening:
+            return Starts(states, slopes, tuple(repeats))
+        self._orbit.prepare(n_angles)  # built before threads share it
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             found = pool.map(
                 lambda i: self._orbit.settle(

@@ -16,6 +16,10 @@ from coupling_design.design.results import (
     Optimum,
 )
 from coupling_design.report.blocks import facts, panel
+from coupling_design.report.chances import (
+    describe_chances,
+    describe_moves,
+)
 from coupling_design.report.criteria import render_criteria
 from coupling_design.report.discrete import describe_size
 from coupling_design.report.performances import (
@@ -45,16 +49,20 @@ def render_baseline(outcome: DesignOutcome) -> Panel:
 def render_chosen(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
     """Return the chosen coupling beside the present one."""
     baseline = outcome.baseline
-    digits = chosen.conditioning.digits
-    column = Measured("chosen", chosen.performance, chosen.rundown, digits)
-    reduction = describe_reduction(chosen, baseline.conditioning.digits)
+    column = Measured("chosen", chosen.performance, chosen.rundown, chosen.digits)
+    reduction = describe_reduction(chosen, baseline.digits)
     return panel(
         "Chosen coupling",
         (
             facts(chosen_facts(outcome.case, chosen)),
             render_quantities([_present(baseline), column], _bearings(outcome.case)),
             Text(f"Damage per run-down {reduction}.", style="bold"),
-            facts([("conditioning", describe_conditioning(chosen.conditioning))]),
+            facts(
+                (
+                    ("if inputs move", describe_moves(chosen.sensitivity)),
+                    ("conditioning", describe_conditioning(chosen.conditioning)),
+                )
+            ),
         ),
         style="green",
     )
@@ -81,8 +89,7 @@ def _nearest(nearest: Optimum) -> Iterable[RenderableType]:
 
 
 def _present(baseline: Baseline) -> Measured:
-    digits = baseline.conditioning.digits
-    return Measured("present", baseline.performance, baseline.rundown, digits)
+    return Measured("present", baseline.performance, baseline.rundown, baseline.digits)
 
 
 def _bearings(case: Case) -> tuple[str, str]:
@@ -92,6 +99,8 @@ def _bearings(case: Case) -> tuple[str, str]:
 
 def trust(baseline: Baseline) -> Iterable[tuple[str, str]]:
     """Yield how firmly the present coupling's numbers stand."""
+    yield "judged over", describe_chances(baseline.performance)
+    yield "if inputs move", describe_moves(baseline.sensitivity)
     yield "conditioning", describe_conditioning(baseline.conditioning)
     yield (
         "time step",

@@ -25,6 +25,7 @@ from coupling_design.report.document_parts import (
     catalogue_part,
     criterion_part,
     performance_part,
+    sensitivity_part,
 )
 
 SCHEMA_VERSION = 1
@@ -32,8 +33,12 @@ UNITS = {
     "torsional_stiffness": "N*m/rad",
     "key_gap": "m",
     "natural_frequency": "Hz",
-    "damage": "-, Miner sum of one run-down, the bearing that suffers more",
-    "damages": "-, of bearing 1 and bearing 2",
+    "damage": "-, Miner sum of one run-down, the bearing that suffers more; mean over "
+    "crank angles and directions of gravity",
+    "damages": "-, of bearing 1 and bearing 2, means",
+    "spread": "lowest and highest over crank angles and directions of gravity",
+    "sensitivity": "damage and peak with one input at `factor` times its value",
+    "reduction_range": "-, damage_reduction when inputs move, lowest and highest",
     "damage_e6": "1e-6, damage in the paper's unit",
     "damage_reduction": "-, 1 less chosen over present damage",
     "peak_transmission_force": "N",
@@ -137,10 +142,12 @@ def _baseline(baseline: Baseline) -> dict[str, Any]:
         "conditioning": asdict(baseline.conditioning),
         "time_step": baseline.time_step,
         "largest_stable_step": baseline.largest_stable_step,
+        "sensitivity": sensitivity_part(baseline.sensitivity),
     }
 
 
 def _chosen(chosen: ChosenDesign) -> dict[str, Any]:
+    bound = chosen.fuel_cut_at_once
     return {
         "plan": chosen.plan.value,
         "coupling_type": chosen.coupling_type,
@@ -148,8 +155,11 @@ def _chosen(chosen: ChosenDesign) -> dict[str, Any]:
         "connection": chosen.connection,
         **performance_part(chosen.performance),
         "damage_reduction": chosen.damage_reduction,
+        "reduction_range": list(chosen.reduction_range),
         "rundown": asdict(chosen.rundown),
         "conditioning": asdict(chosen.conditioning),
+        "sensitivity": sensitivity_part(chosen.sensitivity),
+        "fuel_cut_at_once": None if bound is None else performance_part(bound),
     }
 
 

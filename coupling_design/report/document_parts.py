@@ -7,6 +7,7 @@ from typing import Any
 
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
 from coupling_design.design.performance import Criterion, Performance
+from coupling_design.design.sensitivity import Sensitivity
 
 
 def performance_part(performance: Performance) -> dict[str, Any]:
@@ -20,7 +21,13 @@ def performance_part(performance: Performance) -> dict[str, Any]:
         "damages": [float(damage) for damage in performance.damages],
         "peak_transmission_force": float(performance.peak_transmission_force),
         "peak_combined_load": [float(f) for f in performance.peak_combined_load],
+        "spread": None if performance.spread is None else asdict(performance.spread),
     }
+
+
+def sensitivity_part(sensitivity: Sensitivity) -> dict[str, Any]:
+    """Return what a design does when inputs move."""
+    return {**asdict(sensitivity), "damage_change": sensitivity.damage_change}
 
 
 def criterion_part(criterion: Criterion) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from coupling_design import __version__
 from coupling_design.case.case import Case, LoadLimitReading
 from coupling_design.design.results import DesignOutcome
 from coupling_design.report.blocks import facts, panel, titled
+from coupling_design.report.chances import describe_start
 from coupling_design.report.units import as_given
 from coupling_design.report.verdicts import render_verdict
 
@@ -66,6 +67,7 @@ def asked(case: Case) -> Iterable[tuple[str, str]]:
         f"from {as_given(shutdown.initial_speed, 'rad/s')} rpm, "
         f"{shutdown.duration:g} s in steps of {shutdown.time_step:g} s",
     )
+    yield "its start", describe_start(shutdown)
     bearings = (f"{bearing.name} {bearing.designation}" for bearing in case.bearings)
     yield "bearings", ", ".join(bearings)
     yield "reliability", f"{as_given(case.reliability * 100, '')} %"

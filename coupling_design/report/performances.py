@@ -19,6 +19,8 @@ from coupling_design.report.words import verdict
 
 DESIGN_HEADERS = ("C_Tdyn\nMN*m/rad", "gap\nmm", "f_n\nHz", "peak F_c\nkN", "D\n-")
 
+_RANGE_DIGITS = 3
+
 
 @dataclass(frozen=True)
 class Measured:
@@ -91,12 +93,19 @@ def quantity_rows(
     )
     yield "total key gap", "mm", quantity(design.key_gap, "m")
     yield "natural frequency f_n", "Hz", quantity(design.natural_frequency, "Hz")
+    spread = design.spread if digits is not None else None
     peak = quantity(design.peak_transmission_force, "N")
     yield "peak transmission force F_c", "kN", peak
+    if spread is not None:
+        reach = (quantity(end, "N") for end in spread.peak_transmission_force)
+        yield "  over the crank angle", "kN", " to ".join(reach)
     for name, load in zip(bearings, design.peak_combined_load, strict=True):
         yield f"peak combined load, {name}", "kN", quantity(load, "N")
-    for name, one in zip(bearings, design.damages, strict=True):
-        yield f"damage D, {name}", "-", damage(one, digits)
+    for k, (name, one) in enumerate(zip(bearings, design.damages, strict=True)):
+        yield f"damage D, {name}, mean", "-", damage(one, digits)
+        if spread is not None:
+            ends = (damage(end, _RANGE_DIGITS) for end in spread.damages[k])
+            yield "  over crank angle and gravity", "-", " to ".join(ends)
     yield "damage, the paper's unit (D x 1e6)", "-", damage_e6(design.damage, digits)
     if column.rundown is not None:
         yield from _rundown(column.rundown)

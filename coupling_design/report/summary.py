@@ -8,6 +8,7 @@ from rich.text import Text
 from coupling_design.design.results import ChosenDesign, DesignOutcome
 from coupling_design.design.results import LoadReading as StrictReading
 from coupling_design.report.blocks import panel
+from coupling_design.report.chances import describe_at_once
 from coupling_design.report.criteria import render_criteria
 from coupling_design.report.units import quantity
 from coupling_design.report.verdicts import describe_strict
@@ -16,6 +17,7 @@ from coupling_design.report.words import VERDICT_STYLES, words
 
 def render_summary(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
     """Return every limit of the chosen design: value, limit, margin, verdict."""
+    bound = describe_at_once(outcome.case, chosen)
     return panel(
         "Summary: the chosen coupling against its limits",
         (
@@ -23,6 +25,7 @@ def render_summary(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:
                 f"Load limit read as {words(outcome.case.reading)}",
                 chosen.criteria,
             ),
+            Text(bound) if bound else None,
         ),
         style="green",
     )

@@ -29,11 +29,12 @@ def render_verdict(outcome: DesignOutcome) -> Group:
 
 def describe_reduction(chosen: ChosenDesign, present_digits: int) -> str:
     """Return by how much the damage falls or rises, with the digits that stand."""
-    digits = min(_DIGITS_OF_REDUCTION, chosen.conditioning.digits, present_digits)
+    digits = min(_DIGITS_OF_REDUCTION, chosen.digits, present_digits)
     change = f"{significant(abs(chosen.damage_reduction) * 100, digits)} %"
-    return (
-        f"falls by {change}" if chosen.damage_reduction >= 0 else f"rises by {change}"
-    )
+    low, high = (f"{100 * end:.0f}" for end in chosen.reduction_range)
+    reach = f" ({low} to {high} % when inputs move)"
+    verb = "falls" if chosen.damage_reduction >= 0 else "rises"
+    return f"{verb} by {change}{reach}"
 
 
 def describe_strict(strict: LoadReading) -> str:
@@ -56,7 +57,7 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
                 yield Text(_miss(criterion))
     else:
         yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])
-        reduction = describe_reduction(chosen, outcome.baseline.conditioning.digits)
+        reduction = describe_reduction(chosen, outcome.baseline.digits)
         yield Text(f"Damage per run-down {reduction} against the present coupling.")
     if outcome.catalogue_choice is not None:
         yield _size(outcome.catalogue_choice)

@@ -92,10 +92,10 @@ def optimum_table(optimum: Optimum) -> Table:
 def compared_designs(outcome: DesignOutcome) -> Iterator[Measured]:
     """Yield the present design, and the chosen or the nearest one beside it."""
     baseline, chosen, nearest = outcome.baseline, outcome.chosen, outcome.nearest
-    digits = baseline.conditioning.digits
+    digits = baseline.digits
     if chosen is not None:
         yield Measured("present", baseline.performance, baseline.rundown, digits)
-        own = chosen.conditioning.digits
+        own = chosen.digits
         yield Measured("chosen", chosen.performance, chosen.rundown, own)
         return
     run_down = None if nearest else baseline.rundown
