@@ -102,7 +102,7 @@ def strict_transmission_force(
     [1] eqs. (4) to (7) taken together, lever included. A bearing without a lever (hub
     in the plane of bearing 1) permits any force.
     """
-    levers = rotational_loads(1.0, shaft)
+    levers = [op.absolute(lever) for lever in rotational_loads(1.0, shaft)]
     reserves = _load_reserves(shaft, bearings)
     forces = [reserve / lever for reserve, lever in zip(reserves, levers, strict=True)]
     return reduce(op.minimum, forces)

@@ -55,14 +55,15 @@ def rotational_loads(
 
     Notes
     -----
-    [1] eq. (4). Both take the sign of F_c. The reaction of bearing 2 points the other
-    way than that of bearing 1; like [1] this counts its angle from its own direction.
+    [1] eq. (4) gives their sizes. Both count along the direction in which F_c pushes:
+    moments about bearing 1 turn bearing 2's over, the rigid shaft being a lever, and
+    F_r1 + F_r2 = F_c.
     """
     l_1 = shaft.hub_to_bearing_1
     l_2, l_3 = shaft.bearing_1_to_rotor, shaft.rotor_to_bearing_2
     F_c = transmission_force
     F_r1 = F_c * (l_1 + l_2 + l_3) / (l_2 + l_3)
-    F_r2 = F_c * l_1 / (l_2 + l_3)
+    F_r2 = -F_c * l_1 / (l_2 + l_3)
     return F_r1, F_r2
 
 
@@ -75,9 +76,10 @@ def combined_load(
 
     Parameters
     ----------
-    rotational_load : F_r [N]; a negative one points the other way
-    static_load : G [N]
-    angle : beta between the two, the rotation of the shaft since t = 0 [rad]
+    rotational_load : F_r, along the direction in which F_c pushes [N]
+    static_load : G, along gravity [N]
+    angle : beta from that direction to gravity: the rotation of the shaft since t = 0,
+        and what it was then [rad]
 
     Returns
     -------
