@@ -4,6 +4,8 @@ Sources
 -------
 [1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062,
     eq. (7) and Step 3 of its design flow.
+[2] Johnson (1985), Contact Mechanics, 4.2: Hertz, the largest pressure goes with the
+    square root of the load on a line and with the cube root of that on a point.
 """
 
 from __future__ import annotations
@@ -34,10 +36,11 @@ def contact_stress(load: Scalar, bearing: Bearing) -> Scalar:
 
     Notes
     -----
-    [1] eq. (7). Loads below `SMALLEST_LOAD` count as `SMALLEST_LOAD`.
+    [1] eq. (7), S = K1 sqrt(F), the law of a line contact; of a point contact, as balls
+    have, S = K1 F^(1/3) [2]. Loads below `SMALLEST_LOAD` count as `SMALLEST_LOAD`.
     """
     K_1, F = bearing.stress_coefficient, op.maximum(load, SMALLEST_LOAD)
-    return K_1 * op.sqrt(F)
+    return K_1 * F ** (1 / bearing.contact.root)
 
 
 def minimum_load(bearing: Bearing) -> Scalar:
@@ -53,10 +56,10 @@ def minimum_load(bearing: Bearing) -> Scalar:
 
     Notes
     -----
-    [1] eq. (7) solved for F.
+    [1] eq. (7) solved for F; of a point contact [2], F = (S_min / K1)^3.
     """
     K_1, S_min = bearing.stress_coefficient, bearing.minimum_stress
-    return (S_min / K_1) ** 2
+    return (S_min / K_1) ** bearing.contact.root
 
 
 def permissible_transmission_force(

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from coupling_design.arithmetic import Scalar
+from coupling_design.arithmetic import Scalar, maximum
 from coupling_design.bearing.contact_stress import (
     minimum_load,
     permissible_transmission_force,
@@ -100,6 +100,18 @@ def load_constraints(
     return tuple(_combined_load(case, k) for k in range(len(case.bearings)))
 
 
+def life_constraint() -> Constraint:
+    """Return: one stop spends less than a whole life of either bearing."""
+    return Constraint(
+        name="damage of one stop",
+        quantity=lambda performance: maximum(*performance.damages),
+        limit=1.0,
+        sense=Sense.AT_MOST,
+        unit="",
+        source="Miner's sum: 1 is a whole bearing life",
+    )
+
+
 def _transmission_force(case: Case) -> Constraint:
     return Constraint(
         name="peak transmission force",
@@ -119,5 +131,6 @@ def _combined_load(case: Case, k: int) -> Constraint:
         limit=float(minimum_load(bearing)),
         sense=Sense.AT_MOST,
         unit="N",
-        source="F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
+        source=f"F_min = (S_min / K1)^{bearing.contact.root} (eq. 7; with the shaft's "
+        "lever)",
     )

@@ -6,13 +6,18 @@ from dataclasses import dataclass, replace
 
 from coupling_design.case.case import Case, Plan
 from coupling_design.design.candidate import Candidate
-from coupling_design.design.constraints import isolation_constraints, load_constraints
+from coupling_design.design.constraints import (
+    isolation_constraints,
+    life_constraint,
+    load_constraints,
+)
 from coupling_design.design.problem import (
     Constraint,
     DesignProblem,
     DesignSpace,
     Objective,
 )
+from coupling_design.design.reach import reachable_stiffness
 from coupling_design.design.results import (
     Alternative,
     Decision,
@@ -87,8 +92,9 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     )
     gap = gap_nearest_present(case, option)
     candidate = Candidate(allowed.coupling_type, option)
-    space = DesignSpace(allowed.stiffness, (gap, gap))
     limits = _limits(case)
+    own = reachable_stiffness(bench.evaluator(candidate), limits, allowed.stiffness)
+    space = DesignSpace(own or allowed.stiffness, (gap, gap))
     least_load = problem(bench, candidate, space, Objective.PEAK, limits)
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
@@ -116,7 +122,7 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
 
 
 def _limits(case: Case) -> tuple[Constraint, ...]:
-    return (*isolation_constraints(case), *load_constraints(case))
+    return (*isolation_constraints(case), *load_constraints(case), life_constraint())
 
 
 def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -> str:

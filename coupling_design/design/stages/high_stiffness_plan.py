@@ -10,6 +10,7 @@ from coupling_design.design.constraints import (
     ISOLATION_RATIO,
     deciding_orders,
     high_frequency_constraint,
+    life_constraint,
     load_constraints,
 )
 from coupling_design.design.problem import DesignSpace, Objective
@@ -79,7 +80,7 @@ def _examine(
     case, bench = state.case, state.bench
     candidate = Candidate(allowed.coupling_type, option)
     frequency = high_frequency_constraint(case)
-    loads = load_constraints(case)
+    loads = (*load_constraints(case), life_constraint())
     gap = gap_nearest_present(case, option)
     program = problem(
         bench,
@@ -151,7 +152,11 @@ def _result(
     shown: Optimum | None,
     decision: Decision,
 ) -> StepResult:
-    limits = (high_frequency_constraint(state.case), *load_constraints(state.case))
+    limits = (
+        high_frequency_constraint(state.case),
+        *load_constraints(state.case),
+        life_constraint(),
+    )
     frequency = limits[0].limit
     return StepResult(
         step=4,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import isolation_constraints
@@ -25,9 +26,11 @@ QUESTION = (
 def check_vibration_isolation(state: FlowState) -> FlowState:
     """Return the state with the elastic types left, at the stiffness that isolates."""
     limits = isolation_constraints(state.case)
-    left = [(a, isolating_range(state, a)) for a in state.elastic]
+    left = [(a, isolating_ranges(state, a)) for a in state.elastic]
     allowed = tuple(
-        AllowedType(a.coupling_type, span) for a, span in left if span is not None
+        AllowedType(a.coupling_type, _hull(spans.values()))
+        for a, spans in left
+        if spans
     )
     present = state.baseline.performance
     criteria = tuple(limit.criterion(present) for limit in limits)
@@ -37,7 +40,7 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
         question=QUESTION,
         decision=Decision.PASS if allowed else Decision.FAIL,
         criteria=criteria,
-        alternatives=tuple(_alternative(a, span) for a, span in left),
+        alternatives=tuple(_alternative(a, spans) for a, spans in left),
         findings=_findings(state, none_fails(criteria)),
         caveats=(
             "The natural frequency is that of the undamped driveline with the gap "
@@ -47,18 +50,29 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
     return state.after(result, elastic=allowed)
 
 
-def isolating_range(
+def isolating_ranges(
     state: FlowState, allowed: AllowedType
-) -> tuple[float, float] | None:
-    """Return the part of a type's stiffness [N m/rad] that isolates, None if none.
+) -> dict[str, tuple[float, float]]:
+    """Return the part of a type's stiffness [N m/rad] that isolates, by connection.
 
-    In its tightest connection, where the natural frequency is highest.
+    A key is a spring in series: with it a stiffer coupling still isolates. Connections
+    in which no stiffness does are left out.
     """
-    tightest = options_of(state.case, allowed.coupling_type)[-1]
-    evaluator = state.bench.evaluator(Candidate(allowed.coupling_type, tightest))
-    return reachable_stiffness(
-        evaluator, isolation_constraints(state.case), allowed.stiffness
-    )
+    found = {}
+    for option in options_of(state.case, allowed.coupling_type):
+        evaluator = state.bench.evaluator(Candidate(allowed.coupling_type, option))
+        span = reachable_stiffness(
+            evaluator, isolation_constraints(state.case), allowed.stiffness
+        )
+        if span is not None:
+            found[option.kind.value] = span
+    return found
+
+
+def _hull(spans: Iterable[tuple[float, float]]) -> tuple[float, float]:
+    """Return what any connection allows; each keeps its own limit afterwards."""
+    lows, highs = zip(*spans, strict=True)
+    return min(lows), max(highs)
 
 
 def _findings(state: FlowState, present_passes: bool) -> tuple[str, ...]:
@@ -71,10 +85,15 @@ def _findings(state: FlowState, present_passes: bool) -> tuple[str, ...]:
     )
 
 
-def _alternative(allowed: AllowedType, span: tuple[float, float] | None) -> Alternative:
-    if span is None:
-        remark = "isolates at no stiffness of its range"
-    else:
-        low, high = (stiffness / 1e6 for stiffness in span)
-        remark = f"isolates from {low:.4g} to {high:.4g} MN*m/rad"
-    return Alternative(allowed.coupling_type.name, span is not None, None, remark)
+def _alternative(
+    allowed: AllowedType, spans: dict[str, tuple[float, float]]
+) -> Alternative:
+    by_span: dict[tuple[float, float], list[str]] = {}
+    for kind, span in spans.items():
+        by_span.setdefault(span, []).append(kind.replace("_", " "))
+    told = [
+        f"{' and '.join(kinds)}: {low / 1e6:.4g} to {high / 1e6:.4g} MN*m/rad"
+        for (low, high), kinds in by_span.items()
+    ]
+    remark = f"isolates with {'; '.join(told)}" if told else "isolates at no stiffness"
+    return Alternative(allowed.coupling_type.name, bool(spans), None, remark)
