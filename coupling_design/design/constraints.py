@@ -100,15 +100,35 @@ def load_constraints(
     return tuple(_combined_load(case, k) for k in range(len(case.bearings)))
 
 
-def life_constraint() -> Constraint:
-    """Return: one stop spends less than a whole life of either bearing."""
-    return Constraint(
-        name="damage of one stop",
-        quantity=lambda performance: maximum(*performance.damages),
-        limit=1.0,
-        sense=Sense.AT_MOST,
-        unit="",
-        source="Miner's sum: 1 is a whole bearing life",
+def survival_constraints(case: Case) -> tuple[Constraint, ...]:
+    """Return what any design must meet: no bearing dies in one stop, or is dented."""
+
+    def over_static_rating(performance: Performance) -> Scalar:
+        first, second = (
+            load / bearing.static_load_rating
+            for load, bearing in zip(
+                performance.peak_combined_load, case.bearings, strict=True
+            )
+        )
+        return maximum(first, second)
+
+    return (
+        Constraint(
+            name="damage of one stop",
+            quantity=lambda performance: maximum(*performance.damages),
+            limit=1.0,
+            sense=Sense.AT_MOST,
+            unit="",
+            source="Miner's sum: 1 is a whole bearing life",
+        ),
+        Constraint(
+            name="largest bearing load over C_0",
+            quantity=over_static_rating,
+            limit=1.0,
+            sense=Sense.AT_MOST,
+            unit="",
+            source="static load rating (ISO 76): above it a bearing is dented",
+        ),
     )
 
 

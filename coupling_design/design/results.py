@@ -228,9 +228,10 @@ class DesignOutcome:
     """The whole run: everything a report needs.
 
     `chosen` is None when no design meets the limits; `nearest` then names the
-    candidate that came nearest and `nearest_criteria` how near. `engine` says what
-    did the `rollouts`, and `coarse_rollouts` at a longer step for maps. For figures:
-    `histories`, the present run-down first, and `chosen_map`, the plane of the chosen
+    candidate that came nearest and `nearest_criteria` how near, `reasons` what rules
+    out any. `warnings` are to be read first, `remarks` limit what was shown. `engine`
+    says what did the `rollouts`, and `coarse_rollouts` at a longer step for maps. For
+    figures: `histories`, the present run-down first, and `chosen_map`, the plane of the chosen
     coupling where no step has it.
     """
 
@@ -248,5 +249,8 @@ class DesignOutcome:
     coarse_rollouts: int = 0
     catalogue_choice: CatalogueChoice | None = None
     fatigue_limits: tuple[FatigueLimits, ...] = ()
+    warnings: tuple[str, ...] = ()
+    reasons: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
     histories: tuple[RundownHistory, ...] = field(default=(), compare=False, repr=False)
     chosen_map: DesignMap | None = None

@@ -36,6 +36,7 @@ _TOTALS = (
     ("peak_transmission_force", "N", "largest transmission force F_c"),
     ("peak_combined_load_1", "N", "largest combined load, {0}"),
     ("peak_combined_load_2", "N", "largest combined load, {1}"),
+    ("final_speed", "rad/s", "of what turns fastest when the run-down ends"),
     ("chaotic", "1", "1 where a start moved by 1e-12 rad moves damage by over 1e-3"),
 )
 
@@ -118,7 +119,14 @@ def _grid(plan: Plan, totals: FloatArray, status: str, diverged: int) -> Grid:
             Quantity(name, unit, meaning.format(*names), values.reshape(plan.shape))
             for (name, unit, meaning), values in zip(_TOTALS, totals, strict=True)
         ),
-        facts={**facts, "status": status, "diverged": str(diverged)},
+        facts={
+            **facts,
+            "status": status,
+            "diverged": str(diverged),
+            "rest_speed": repr(
+                float(plan.case.driveline.engine_resistance.transition_speed)
+            ),
+        },
     )
 
 
@@ -181,4 +189,5 @@ def _row(performance: Performance) -> list[float]:
         *map(float, performance.damages),
         float(performance.peak_transmission_force),
         *map(float, performance.peak_combined_load),
+        performance.spread.final_speed if performance.spread else math.nan,
     ]

@@ -52,6 +52,7 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
     chosen = outcome.chosen
     if chosen is None:
         yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
+        yield from map(Text, outcome.reasons)
         for criterion in outcome.nearest_criteria:
             if criterion.fails:
                 yield Text(_miss(criterion))

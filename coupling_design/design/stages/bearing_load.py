@@ -8,8 +8,8 @@ from coupling_design.case.case import Case, Plan
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import (
     isolation_constraints,
-    life_constraint,
     load_constraints,
+    survival_constraints,
 )
 from coupling_design.design.problem import (
     Constraint,
@@ -122,7 +122,11 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
 
 
 def _limits(case: Case) -> tuple[Constraint, ...]:
-    return (*isolation_constraints(case), *load_constraints(case), life_constraint())
+    return (
+        *isolation_constraints(case),
+        *load_constraints(case),
+        *survival_constraints(case),
+    )
 
 
 def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -> str:
