@@ -31,6 +31,7 @@ _SHORTEST_ROD = 0.51  # of the stroke
 # From firing dead centre [deg]: a motored peak lies just before it, the latest burning
 # ends its rise well before the piston is half way down.
 _PEAK_NEAR = (-30.0, 60.0)
+_ROUNDED_WORK = 1e3  # mean pressure that a trace's steps may miss [Pa]
 
 
 def check_engine(values: Values, case_file: str) -> Iterator[Problem]:
@@ -167,7 +168,7 @@ def _trace_peak(engine: Engine, values: Values, place: Path) -> Iterator[Problem
             f"after firing top dead centre; allowed {low:g} to {high:g} deg, where "
             "combustion is: let the crank angle count from firing top dead centre",
         )
-    elif (work := engine_figures(engine).indicated_mean_pressure) <= 0:
+    elif (work := engine_figures(engine).indicated_mean_pressure) < -_ROUNDED_WORK:
         yield Problem(
             path,
             f"found '{values.text(*path)}', by which a cycle does negative work, "

@@ -28,8 +28,8 @@ def test_static_loads_carry_the_weight_unevenly(shaft):
 
 
 def test_rotational_loads_of_the_paper(shaft):
-    # (230+460+460)/920 = 1.25; 230/920 = 0.25
-    assert rotational_loads(1000.0, shaft) == pytest.approx((1250, 250), rel=1e-12)
+    # (230+460+460)/920 = 1.25; the lever turns 230/920 = 0.25 over; together 1000
+    assert rotational_loads(1000.0, shaft) == pytest.approx((1250, -250), rel=1e-12)
 
 
 def test_combined_load_at_sixty_degrees():

@@ -12,7 +12,7 @@ def test_each_value_in_si_with_its_line(run, quick):
     assert (code, err) == (0, "")
     gap = line_of(out, "  gap ")
     assert gap == ["gap", "0.10", "mm", "0.0001", "m", "19"]
-    assert line_of(out, "  reliability")[-2:] == ["-", "67"]
+    assert line_of(out, "  reliability")[-2:] == ["-", "72"]
     assert "no problem found" in out
 
 

@@ -50,8 +50,10 @@ def test_digits_are_those_of_the_larger_change(rattling):
     assert found.digits == standing_digits(max(map(abs, changes)))
 
 
-def test_conditioning_costs_two_rollouts(quick, evaluator):
+def test_conditioning_costs_three_rollouts(quick, evaluator):
+    """One crank angle as it is, with its start moved, and at half the step."""
     examined = evaluator(quick, "rubber", "tight_fit")
     performance = examined.performance(5e3, 0.0)
     conditioning(examined, performance)
-    assert examined.rollouts + examined.refined.rollouts == 3
+    assert examined.rollouts == 1
+    assert examined.scan.rollouts + examined.refined.scan.rollouts == 3

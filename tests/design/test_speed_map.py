@@ -15,6 +15,7 @@ from coupling_design.design.constraints import (
 )
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.results import ChosenDesign, Conditioning, Rundown
+from coupling_design.design.sensitivity import Sensitivity
 from coupling_design.design.speed_map import evaluate_speed_map
 from coupling_design.design.state import connection_option
 from coupling_design.driveline.campbell import Position
@@ -41,6 +42,8 @@ def chosen_design(case, coupling_type, kind, stiffness, gap=0.0):
         conditioning=Conditioning(0.0, 0.0, 0.0, 6),
         damage_reduction=0.0,
         criteria=(),
+        sensitivity=Sensitivity(1.0, 1.0, ()),
+        reduction_range=(0.0, 0.0),
     )
 
 

@@ -28,7 +28,7 @@ def test_a_step_too_large_is_a_problem_of_the_case(quick, with_shutdown):
     error = refusal(with_shutdown(quick, time_step=5e-3))
     assert error.exit_code == 2
     assert len(error.problems) == 1
-    assert "quick.yaml: shutdown.time_step: found 0.005 s" in error.problems[0]
+    assert "quick.yaml:38: shutdown.time_step: found 0.005 s" in error.problems[0]
 
 
 def test_the_flow_refuses_it_before_any_rollout(quick, with_shutdown):

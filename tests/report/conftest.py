@@ -74,7 +74,8 @@ FORCE = Criterion(
 )  # fmt: skip
 STRICT = Criterion(
     "peak combined load, Bearing 1", 54301.0, 48838.56, Sense.AT_MOST,
-    "N", Verdict.FAIL, -0.11185, "F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
+    "N", Verdict.FAIL, -0.11185,
+    "F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
 )  # fmt: skip
 TOO_HIGH = replace(FORCE, value=46690.0, verdict=Verdict.FAIL, margin=-0.29263)
 OPTIMUM = Optimum(

@@ -63,8 +63,9 @@ def case():
 
 @pytest.fixture(scope="module")
 def short(case):
-    """Return the case with a run-down of a tenth of a second."""
-    return replace(case, shutdown=replace(case.shutdown, duration=0.1))
+    """Return the case with a run-down of a tenth of a second from one crank angle."""
+    shutdown = replace(case.shutdown, duration=0.1, crank_angles=1)
+    return replace(case, shutdown=shutdown)
 
 
 def unlike(inputs, **changes):

@@ -1,5 +1,7 @@
 """What the paper claims of stiffness, gap and bearings, on the shipped case."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -109,7 +111,8 @@ def test_damage_of_the_history_is_that_of_the_rollout(shipped):
     history = present_history(shipped)
     damage = honest_reading.damage(shipped, history, small_loads=True)
 
-    assert damage == pytest.approx(present_performance(shipped).damage, rel=1e-6)
+    one = replace(shipped, shutdown=replace(shipped.shutdown, crank_angles=1))
+    assert damage == pytest.approx(present_performance(one).damage, rel=1e-6)
 
 
 def test_damage_below_the_limit_is_not_nothing(shipped):
