@@ -99,12 +99,16 @@ def strict_transmission_force(
 
     Notes
     -----
-    [1] eqs. (4) to (7) taken together, lever included. A bearing without a lever (hub
-    in the plane of bearing 1) permits any force.
+    [1] eqs. (4) to (7) taken together, the size of the lever included: F_c turns, so
+    that of either sign it comes in line with gravity. A bearing without a lever (hub in
+    the plane of bearing 1) permits any force.
     """
     levers = rotational_loads(1.0, shaft)
     reserves = _load_reserves(shaft, bearings)
-    forces = [reserve / lever for reserve, lever in zip(reserves, levers, strict=True)]
+    forces = [
+        reserve / op.absolute(lever)
+        for reserve, lever in zip(reserves, levers, strict=True)
+    ]
     return reduce(op.minimum, forces)
 
 
