@@ -4,6 +4,8 @@ Sources
 -------
 [1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062,
     eq. (7) and Step 3 of its design flow.
+[2] Johnson (1985), Contact Mechanics, sections 4.2 and 4.3 (Hertz): the largest
+    pressure grows with load^(1/2) in a line contact, with load^(1/3) in a point's.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from coupling_design.bearing.loads import (
     rotational_loads,
     static_loads,
 )
-from coupling_design.bearing.parameters import Bearing, ShaftGeometry
+from coupling_design.bearing.parameters import Bearing, BearingType, ShaftGeometry
 
 
 def contact_stress(load: Scalar, bearing: Bearing) -> Scalar:
@@ -34,9 +36,12 @@ def contact_stress(load: Scalar, bearing: Bearing) -> Scalar:
 
     Notes
     -----
-    [1] eq. (7). Loads below `SMALLEST_LOAD` count as `SMALLEST_LOAD`.
+    [1] eq. (7) for rollers, whose contact is a line; balls touch in a point, [2]. Loads
+    below `SMALLEST_LOAD` count as `SMALLEST_LOAD`.
     """
     K_1, F = bearing.stress_coefficient, op.maximum(load, SMALLEST_LOAD)
+    if bearing.type is BearingType.RADIAL_BALL:
+        return K_1 * F ** (1 / 3)
     return K_1 * op.sqrt(F)
 
 
@@ -53,10 +58,30 @@ def minimum_load(bearing: Bearing) -> Scalar:
 
     Notes
     -----
-    [1] eq. (7) solved for F.
+    [1] eq. (7) solved for F; for balls the law of a point contact, [2].
     """
     K_1, S_min = bearing.stress_coefficient, bearing.minimum_stress
+    if bearing.type is BearingType.RADIAL_BALL:
+        return (S_min / K_1) ** 3
     return (S_min / K_1) ** 2
+
+
+def point_contact_coefficient(
+    stress_coefficient: Scalar, minimum_stress: Scalar
+) -> Scalar:
+    """Return the K1 of a point contact that has the load limit of a line's.
+
+    Parameters
+    ----------
+    stress_coefficient : K1 of S = K1 sqrt(F) [Pa/N^0.5]
+    minimum_stress : S_min [Pa]
+
+    Returns
+    -------
+    K1 of S = K1 F^(1/3) [Pa/N^(1/3)]: S_min / F_min^(1/3) with F_min = (S_min / K1)^2
+    """
+    K_1, S_min = stress_coefficient, minimum_stress
+    return S_min ** (1 / 3) * K_1 ** (2 / 3)
 
 
 def permissible_transmission_force(

@@ -64,7 +64,8 @@ class Bearing:
     dynamic_load_rating : C_r [N]
     static_load_rating : C_0 [N]
     pitch_diameter : D_pw [m]
-    stress_coefficient : K1 in S = K1 sqrt(F) [Pa/sqrt(N)]
+    stress_coefficient : K1, of a roller bearing in S = K1 F^(1/2) [Pa/N^0.5], of a ball
+        bearing in S = K1 F^(1/3) [Pa/N^(1/3)]
     minimum_stress : S_min, below which fatigue is neglected [Pa]
     """
 

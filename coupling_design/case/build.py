@@ -18,6 +18,7 @@ from coupling_design.case.case import (
 from coupling_design.case.catalogue import Catalogues, offered
 from coupling_design.case.engine_schema import EngineExcitation
 from coupling_design.case.schema import (
+    BearingSection,
     CaseSection,
     ConnectionChoices,
     CouplingTypeSection,
@@ -27,6 +28,7 @@ from coupling_design.case.schema import (
     PresentConnection,
 )
 from coupling_design.case.stated import Stated
+from coupling_design.case.stress_coefficient import coefficient_of
 from coupling_design.driveline.parameters import (
     Connection,
     Coupling,
@@ -53,7 +55,7 @@ def build_case(
     )
     excitation, derived = _excitation(section.driveline, file)
     joint = _joint(section.driveline.connection)
-    first, second = (Bearing(**bearing.model_dump()) for bearing in section.bearings)
+    first, second = map(_bearing, section.bearings)
     return Case(
         name=section.name,
         description=section.description,
@@ -89,6 +91,15 @@ def _coupling_types(
         *(_coupling_type(entry) for entry in section.coupling_types),
         *(offered(series, kinds) for series in catalogues.types),
     )
+
+
+def _bearing(section: BearingSection) -> Bearing:
+    coefficient = coefficient_of(
+        section.stress_coefficient.value,
+        section.type.value,
+        section.minimum_stress.value,
+    )
+    return Bearing(**{**section.model_dump(), "stress_coefficient": coefficient})
 
 
 def _lubrication(section: LubricationSection) -> Lubrication:

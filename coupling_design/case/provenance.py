@@ -11,6 +11,7 @@ from coupling_design.case.case import SourcedValue
 from coupling_design.case.document import Document
 from coupling_design.case.problem import Path, dotted
 from coupling_design.case.quantity import Kind
+from coupling_design.case.root_kind import WrittenCoefficient
 from coupling_design.case.stated import Stated
 
 
@@ -58,5 +59,7 @@ def _value(stated: Stated[Any]) -> float | str:
 
 
 def _unit(stated: Stated[Any]) -> str:
+    if isinstance(stated.value, WrittenCoefficient):
+        return stated.value.unit
     metadata = type(stated).model_fields["value"].metadata
     return next((item.unit for item in metadata if isinstance(item, Kind)), "")

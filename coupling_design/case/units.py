@@ -69,6 +69,7 @@ _USUAL = {
     "m^2/s": {"m^2/s": 1.0, "mm^2/s": 1e-6},
     "1/m": {"1/m": 1.0, "1/mm": 1e3},
     "Pa/N^0.5": {"Pa/N^0.5": 1.0, "MPa/N^0.5": 1e6},
+    "Pa/N^(1/3)": {"Pa/N^(1/3)": 1.0, "MPa/N^(1/3)": 1e6},
     "": {"%": 0.01},
 }
 _FACTORS = {unit: value for units in _USUAL.values() for unit, value in units.items()}
@@ -96,6 +97,7 @@ _DIMENSIONS = {
     "1/m": "a number per length",
     "1/rad": "a number per angle",
     "Pa/N^0.5": "a stress per square root of force",
+    "Pa/N^(1/3)": "a stress per cube root of force",
     "m^2": "an area",
     "m/s": "a speed along a line",
     "": "a plain number",

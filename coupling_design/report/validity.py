@@ -25,7 +25,7 @@ _ALWAYS = (
     "Three inertias, one coupling, one connection; the gap is smoothed by tanh. No "
     "misalignment, unbalance, bending or gas torque of a fired engine.",
     "Life after ISO 281:2007 with a_ISO for the load of each moment; bearing loads by "
-    "statics of the overhung shaft.",
+    "statics of the overhung shaft, a rigid lever that turns bearing 2's load over.",
     "The result is as good as the case file. It replaces neither the coupling maker's "
     "approval nor a torsional vibration calculation of the classification society.",
 )
