@@ -91,8 +91,12 @@ def simulate(
     gap: str | None = None,
     coupling_type: str | None = None,
     connection: str | None = None,
+    size: str | None = None,
 ) -> Simulation:
-    """Return one run-down: its totals in `performance`, its signals over time.
+    """Return one coupling's run-down: totals in `performance`, signals over time.
+
+    Totals are judged over all crank angles, signals are of the one with the largest
+    peak.
 
     Parameters
     ----------
@@ -100,6 +104,7 @@ def simulate(
     stiffness, gap : with unit, `12 kN*m/rad`, or times the present one, `0.5x`
     coupling_type : one of the case's, by name
     connection : key, spline or tight_fit
+    size : one of the case's catalogues, by name
 
     Examples
     --------
@@ -114,7 +119,7 @@ def simulate(
     from coupling_design.explore.points import find_point
     from coupling_design.explore.simulation import simulate_point
 
-    point = find_point(case, stiffness, gap, coupling_type, connection)
+    point = find_point(case, stiffness, gap, coupling_type, connection, size)
     return simulate_point(case, point)
 
 

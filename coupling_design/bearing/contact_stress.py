@@ -128,12 +128,9 @@ def strict_transmission_force(
     that of either sign it comes in line with gravity. A bearing without a lever (hub in
     the plane of bearing 1) permits any force.
     """
-    levers = rotational_loads(1.0, shaft)
+    levers = [op.absolute(lever) for lever in rotational_loads(1.0, shaft)]
     reserves = _load_reserves(shaft, bearings)
-    forces = [
-        reserve / op.absolute(lever)
-        for reserve, lever in zip(reserves, levers, strict=True)
-    ]
+    forces = [reserve / lever for reserve, lever in zip(reserves, levers, strict=True)]
     return reduce(op.minimum, forces)
 
 

@@ -51,14 +51,13 @@ def rotational_loads(
 
     Returns
     -------
-    F_r1, F_r2 : rotational loads of bearings 1 and 2 [N], along the direction of F_c
+    F_r1, F_r2 : rotational loads of bearings 1 and 2 [N]
 
     Notes
     -----
-    [1] eq. (4), with one direction for both: that of F_c at the hub. The shaft is a
-    rigid lever over bearing 1, which turns the load of bearing 2 over: moments about
-    bearing 1 give F_r2 (l2 + l3) = -F_c l1, and F_r1 + F_r2 = F_c. [1] prints the size
-    of F_r2 alone.
+    [1] eq. (4) gives their sizes. Both count along the direction in which F_c pushes:
+    moments about bearing 1 turn bearing 2's over, the rigid shaft being a lever, and
+    F_r1 + F_r2 = F_c.
     """
     l_1 = shaft.hub_to_bearing_1
     l_2, l_3 = shaft.bearing_1_to_rotor, shaft.rotor_to_bearing_2
@@ -77,9 +76,10 @@ def combined_load(
 
     Parameters
     ----------
-    rotational_load : F_r along the direction of F_c at the hub [N], negative against it
-    static_load : G [N], along gravity
-    angle : beta, from the direction of F_c at the hub to gravity [rad]
+    rotational_load : F_r, along the direction in which F_c pushes [N]
+    static_load : G, along gravity [N]
+    angle : beta from that direction to gravity: the rotation of the shaft since t = 0,
+        and what it was then [rad]
 
     Returns
     -------
@@ -88,10 +88,7 @@ def combined_load(
     Notes
     -----
     [1] eq. (6), which covers both of its situations: F_r > G turns with the shaft,
-    F_r < G swings. The direction of F_c turns with the shaft: beta is its value at the
-    start and what the shaft has turned since. It is one angle for both bearings, whose
-    F_r differ in sign (`rotational_loads`). Not less than `SMALLEST_LOAD`, with zero
-    slope there.
+    F_r < G swings. Not less than `SMALLEST_LOAD`, with zero slope there.
     """
     F_r, G, beta = rotational_load, static_load, angle
     F_l_squared = F_r**2 + G**2 + 2 * F_r * G * op.cos(beta)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
 from coupling_design.case.build_coupling import build_damping_law
-from coupling_design.case.build_engine import excitation_of
+from coupling_design.case.build_engine import at_work, excitation_of
 from coupling_design.case.build_shutdown import build_shutdown
 from coupling_design.case.case import (
     Case,
@@ -13,10 +13,15 @@ from coupling_design.case.case import (
     CouplingType,
     Duty,
     Joint,
+    ShortCircuit,
     SourcedValue,
 )
 from coupling_design.case.catalogue import Catalogues, offered
-from coupling_design.case.engine_schema import EngineExcitation
+from coupling_design.case.engine_schema import (
+    EngineExcitation,
+    EngineMode,
+    WorkingEngineExcitation,
+)
 from coupling_design.case.schema import (
     BearingSection,
     CaseSection,
@@ -26,6 +31,7 @@ from coupling_design.case.schema import (
     DutySection,
     LubricationSection,
     PresentConnection,
+    ShortCircuitSection,
 )
 from coupling_design.case.stated import Stated
 from coupling_design.case.stress_coefficient import coefficient_of
@@ -54,6 +60,7 @@ def build_case(
         entry.damping_law for entry in coupling_types if entry.name == present_type
     )
     excitation, derived = _excitation(section.driveline, file)
+    working, also_derived = _working_excitation(section, file)
     joint = _joint(section.driveline.connection)
     first, second = map(_bearing, section.bearings)
     return Case(
@@ -74,10 +81,12 @@ def build_case(
         duty=_duty(section.duty),
         coupling_types=coupling_types,
         connections=connections,
-        provenance=(*provenance, *derived),
+        provenance=(*provenance, *derived, *also_derived),
         catalogues=catalogues.files,
         choose=section.design_space.choose,
         present_driving_inertia=_value(section.driveline.coupling.driving_inertia),
+        working_excitation=working or excitation,
+        works_fired=_works_fired(section),
     )
 
 
@@ -141,6 +150,40 @@ def _excitation(
     )
 
 
+def _working_excitation(
+    section: CaseSection, file: str
+) -> tuple[tuple[ExcitationOrder, ...], tuple[SourcedValue, ...]]:
+    """Return the orders at working speed, none if not given, and what was derived."""
+    working, engine = section.duty.excitation, section.driveline.excitation
+    if working is None:
+        return (), ()
+    if isinstance(working, WorkingEngineExcitation):
+        if not isinstance(engine, EngineExcitation):
+            return (), ()  # refused by the relations
+        changed = at_work(engine.engine, working.engine)
+        return excitation_of(changed, file, "duty.excitation")
+    return tuple(ExcitationOrder(**order.model_dump()) for order in working), ()
+
+
+def _works_fired(section: CaseSection) -> bool:
+    """Return whether the orders at working speed are a fired engine's.
+
+    Those written down for it are taken to be.
+    """
+    working, engine = section.duty.excitation, section.driveline.excitation
+    if isinstance(working, WorkingEngineExcitation):
+        return working.engine.mode.value is EngineMode.FIRED
+    if working is not None:
+        return True
+    if isinstance(engine, EngineExcitation):
+        return engine.engine.mode.value is EngineMode.FIRED
+    return False
+
+
+def _short_circuit(section: ShortCircuitSection | None) -> ShortCircuit | None:
+    return None if section is None else ShortCircuit(**section.model_dump())
+
+
 def _present_connection(section: PresentConnection, joint: Joint) -> Connection:
     gap = section.gap.value if section.gap else 0.0
     return joint.connect(section.kind.value, gap)
@@ -160,6 +203,7 @@ def _duty(section: DutySection) -> Duty:
         rare_torque=_value(section.rare_torque),
         temperature_factor=_value(section.temperature_factor) or 1.0,
         start_factor=_value(section.start_factor) or 1.0,
+        short_circuit=_short_circuit(section.short_circuit),
     )
 
 

@@ -5,7 +5,11 @@ from __future__ import annotations
 import math
 
 from coupling_design.case.case import Source, SourcedValue
-from coupling_design.case.engine_schema import EngineMode, EngineSection
+from coupling_design.case.engine_schema import (
+    EngineMode,
+    EngineSection,
+    WorkingEngine,
+)
 from coupling_design.case.pressure_file import load_trace
 from coupling_design.driveline.parameters import ExcitationOrder
 from coupling_design.engine import (
@@ -80,17 +84,26 @@ def kept_orders(section: EngineSection, engine: Engine) -> tuple[TorqueOrder, ..
     return engine_orders(engine, section.highest_order.value, share)
 
 
+def at_work(section: EngineSection, working: WorkingEngine) -> EngineSection:
+    """Return an engine's section with what differs at working speed."""
+    changed = {
+        name: getattr(working, name)
+        for name in type(working).model_fields
+        if getattr(working, name) is not None
+    }
+    return section.model_copy(update=changed)
+
+
 def excitation_of(
-    section: EngineSection, case_file: str
+    section: EngineSection, case_file: str, path: str = "driveline.excitation"
 ) -> tuple[tuple[ExcitationOrder, ...], tuple[SourcedValue, ...]]:
-    """Return the driveline's excitation, and what was derived for the case's list."""
+    """Return an engine's excitation, and what was derived for the case's list."""
     engine = build_engine(section, case_file)
     orders = tuple(
         ExcitationOrder(order.order, order.amplitude, order.phase)
         for order in kept_orders(section, engine)
     )
     figures = engine_figures(engine)
-    path = "driveline.excitation"
     derived = [
         _derived(f"{path}.engine.peak_pressure", figures.peak_pressure, "Pa"),
         _derived(f"{path}.engine.mean_torque", figures.mean_torque, "N*m"),
@@ -119,5 +132,5 @@ def _derived(path: str, value: float, unit: str) -> SourcedValue:
         value=value,
         unit=unit,
         source=Source.DERIVED,
-        note="worked out from driveline.excitation.engine",
+        note=f"worked out from {path.partition('.excitation')[0]}.excitation.engine",
     )

@@ -11,6 +11,7 @@ from coupling_design.driveline.parameters import (
     Connection,
     DampingLaw,
     Driveline,
+    ExcitationOrder,
     KeyedConnection,
     Shutdown,
     TightFit,
@@ -72,12 +73,24 @@ class Source(StrEnum):
 
 
 @dataclass(frozen=True)
+class ShortCircuit:
+    """A short circuit at the terminals: largest air-gap torque [N m], and S_L [-].
+
+    DIN 740-2's factor of sudden load is 1.8 for a medium and at most 2 for a step.
+    """
+
+    air_gap_torque: float
+    sudden_load_factor: float
+
+
+@dataclass(frozen=True)
 class Duty:
     """What the set works at.
 
     `working_speed` is the lowest and the highest [rad/s], torques are in N m.
-    `rare_torque` comes a few times in a life (short circuit); None if not stated.
-    Temperature and start factor are DIN 740-2's S_t (elastomers only) and S_z.
+    `rare_torque` comes a few times in a life, as its maker states it at the coupling;
+    `short_circuit` what it follows from; None if not stated. Temperature and start
+    factor are DIN 740-2's S_t (elastomers only) and S_z.
     """
 
     working_speed: tuple[float, float]
@@ -87,6 +100,10 @@ class Duty:
     rare_torque: float | None = None
     temperature_factor: float = 1.0
     start_factor: float = 1.0
+    short_circuit: ShortCircuit | None = None
+
+
+_SAME_STIFFNESS = 1e-6  # of a size and of what a case says the present one has
 
 
 @dataclass(frozen=True)
@@ -115,6 +132,16 @@ class CouplingType:
     damping_law: DampingLaw
     connections: tuple[ConnectionKind, ...]
     sizes: tuple[CouplingSize, ...] = ()
+
+    def size_of(self, torsional_stiffness: float) -> CouplingSize | None:
+        """Return the size of a stiffness [N m/rad], None if there is none."""
+        same = (
+            size
+            for size in self.sizes
+            if abs(size.torsional_stiffness / torsional_stiffness - 1)
+            <= _SAME_STIFFNESS
+        )
+        return next(same, None)
 
     def with_sizes(self, sizes: tuple[CouplingSize, ...]) -> CouplingType:
         """Return the series of these sizes: their span, and what each of them takes."""
@@ -199,6 +226,8 @@ class Case:
     `present_driving_inertia` [kg m^2] is what the present coupling's driving half has
     of the engine's inertia, None if not stated. `overrides` are the values, each
     `path=value`, that replaced those of the file `sha256` belongs to.
+    `working_excitation` are the orders at working speed, those of the run-down where
+    the case gives no others; `works_fired` says that they are a fired engine's.
     """
 
     name: str
@@ -223,6 +252,8 @@ class Case:
     choose: Choice = Choice.OPTIMUM
     present_driving_inertia: float | None = None
     overrides: tuple[str, ...] = ()
+    working_excitation: tuple[ExcitationOrder, ...] = ()
+    works_fired: bool = False
 
     @property
     def assumptions(self) -> tuple[SourcedValue, ...]:

@@ -8,11 +8,12 @@ from pydantic import ValidationError
 
 from coupling_design.case.build_engine import (
     THRESHOLD,
+    at_work,
     build_arrangement,
     build_engine,
     kept_orders,
 )
-from coupling_design.case.engine_schema import EngineMode, EngineSection
+from coupling_design.case.engine_schema import EngineMode, EngineSection, WorkingEngine
 from coupling_design.case.pressure_file import load_trace
 from coupling_design.case.problem import Path, Problem, suggestion
 from coupling_design.case.values import Values
@@ -22,6 +23,7 @@ from coupling_design.engine.pressure import pressure_rise
 from coupling_design.errors import CaseError
 
 _ENGINE: Path = ("driveline", "excitation", "engine")
+_WORKING: Path = ("duty", "excitation", "engine")
 _EVERY_ORDER = 1e4
 _SHORTEST_ROD = 0.51  # of the stroke
 
@@ -34,14 +36,44 @@ def check_engine(values: Values, case_file: str) -> Iterator[Problem]:
         return
     problems = [
         *_rod(section, values),
-        *_fuel(section, case_file),
+        *_fuel(section, case_file, _ENGINE),
         *_firing(section, values),
     ]
     yield from problems
     if not problems:
         engine = build_engine(section, case_file)
-        yield from _pressure(engine, values)
-        yield from _orders(section, engine, values)
+        yield from _pressure(engine, values, _ENGINE)
+        yield from _orders(section, engine, values, _ENGINE)
+
+
+def check_working_engine(values: Values, case_file: str) -> Iterator[Problem]:
+    """Yield what is wrong with the engine at work, as what differs from the stop."""
+    written = values.raw(*_WORKING)
+    if written is None:
+        return
+    try:
+        working = WorkingEngine.model_validate(written)
+    except ValidationError:
+        return
+    if values.raw(*_ENGINE) is None:
+        yield Problem(
+            _WORKING,
+            "found an engine, but driveline.excitation has none to take the rest from; "
+            "write orders in a list here, or engine data there",
+        )
+        return
+    if any(check_engine(values, case_file)):
+        return
+    section = at_work(EngineSection.model_validate(values.raw(*_ENGINE)), working)
+    problems = [
+        *_fuel(section, case_file, _WORKING),
+        *_missing(section, _WORKING),
+    ]
+    yield from problems
+    if not problems:
+        engine = build_engine(section, case_file)
+        yield from _pressure(engine, values, _WORKING)
+        yield from _orders(section, engine, values, _WORKING)
 
 
 def _rod(section: EngineSection, values: Values) -> Iterator[Problem]:
@@ -55,7 +87,7 @@ def _rod(section: EngineSection, values: Values) -> Iterator[Problem]:
         )
 
 
-def _fuel(section: EngineSection, case_file: str) -> Iterator[Problem]:
+def _fuel(section: EngineSection, case_file: str, place: Path) -> Iterator[Problem]:
     """Yield what keeps a fired engine from having one pressure over its cycle."""
     trace, pressure = section.pressure_trace, section.indicated_mean_pressure
     if section.mode.value is EngineMode.MOTORED:
@@ -63,7 +95,7 @@ def _fuel(section: EngineSection, case_file: str) -> Iterator[Problem]:
     if (trace is None) == (pressure is None):
         found = "neither" if trace is None else "both"
         yield Problem(
-            (*_ENGINE, "mode"),
+            (*place, "mode"),
             f"found 'fired' with {found} of indicated_mean_pressure and "
             "pressure_trace; give one of them, or write motored for fuel off",
         )
@@ -72,7 +104,7 @@ def _fuel(section: EngineSection, case_file: str) -> Iterator[Problem]:
             load_trace(trace.value, case_file, section.cycle.value)
         except CaseError as error:
             for sentence in error.problems:
-                yield Problem((*_ENGINE, "pressure_trace"), sentence)
+                yield Problem((*place, "pressure_trace"), sentence)
 
 
 def _firing(section: EngineSection, values: Values) -> Iterator[Problem]:
@@ -97,19 +129,23 @@ def _firing(section: EngineSection, values: Values) -> Iterator[Problem]:
         key = "firing_intervals" if section.firing_intervals else key
         key = "crank_angles" if section.crank_angles else key
         yield Problem((*_ENGINE, key), str(error))
-    missing = section.misfiring_cylinders
-    names = arrangement.names
+    yield from _missing(section, _ENGINE)
+
+
+def _missing(section: EngineSection, place: Path) -> Iterator[Problem]:
+    """Yield misfiring cylinders that the engine does not have."""
+    missing, names = section.misfiring_cylinders, build_arrangement(section).names
     for name in missing.value if missing else ():
         if name not in names:
             yield Problem(
-                (*_ENGINE, "misfiring_cylinders"),
+                (*place, "misfiring_cylinders"),
                 f"found '{name}'; {suggestion(name, names)}allowed: {', '.join(names)}",
             )
 
 
-def _pressure(engine: Engine, values: Values) -> Iterator[Problem]:
+def _pressure(engine: Engine, values: Values, place: Path) -> Iterator[Problem]:
     """Yield a mean pressure that would take combustion below nothing."""
-    path = (*_ENGINE, "indicated_mean_pressure")
+    path = (*place, "indicated_mean_pressure")
     combustion = engine.combustion
     if isinstance(combustion, IndicatedCombustion):
         rise = pressure_rise(engine, combustion)
@@ -122,12 +158,12 @@ def _pressure(engine: Engine, values: Values) -> Iterator[Problem]:
 
 
 def _orders(
-    section: EngineSection, engine: Engine, values: Values
+    section: EngineSection, engine: Engine, values: Values, place: Path
 ) -> Iterator[Problem]:
     """Yield a problem if none is kept: the driveline would not be excited."""
     if kept_orders(section, engine):
         return
-    path = (*_ENGINE, "highest_order")
+    path = (*place, "highest_order")
     share = section.threshold.value if section.threshold else THRESHOLD
     rows = (
         row.order for row in list_orders(engine, _EVERY_ORDER, share) if row.survives

@@ -83,6 +83,26 @@ class EngineSection(Section):
     threshold: Stated[Share] | None = None
 
 
+class WorkingEngine(Section):
+    """What differs at working speed; all else is as in driveline.excitation.engine."""
+
+    mode: Stated[EngineMode]
+    intake_pressure: Stated[Pressure] | None = None
+    indicated_mean_pressure: Stated[Pressure] | None = None
+    combustion: CombustionSection | None = None
+    pressure_trace: Stated[Name] | None = None
+    misfiring_cylinders: Stated[Names] | None = None
+    reference_speed: Stated[EngineSpeed] | None = None
+    highest_order: Stated[HighestOrder] | None = None
+    threshold: Stated[Share] | None = None
+
+
+class WorkingEngineExcitation(Section):
+    """The same engine at work, as what differs from the run-down."""
+
+    engine: WorkingEngine
+
+
 class EngineExcitation(Section):
     """Orders that are worked out from engine data, not written down."""
 

@@ -8,6 +8,23 @@ from typing import Annotated
 from coupling_design.case.quantity import Kind, KindOrWord
 from coupling_design.case.root_kind import RootKind
 
+FACTOR = Kind(
+    "a plain number",
+    "",
+    "1.3",
+    lower=1.0,
+    upper=20.0,
+    remark="A factor of DIN 740-2 asks for more, never for less",
+)
+RELATIVE_DAMPING = Kind(
+    "a plain number",
+    "",
+    "0.9",
+    lower=0.0,
+    upper=2 * math.pi,
+    excludes_lower=True,
+    remark="A larger one may be the magnifier M of a sheet: psi = 2 pi / M",
+)
 GAP = Kind(
     "a length",
     "m",
@@ -64,6 +81,7 @@ Damping = Annotated[float, DAMPING.non_negative()]
 EngineLength = Annotated[float, LENGTH.between(1e-3, 10.0)]
 EngineSpeed = Annotated[float, ANGULAR_SPEED.between(0.0, 5e3)]
 Exponent = Annotated[float, EXPONENT]
+Factor = Annotated[float, FACTOR]
 Force = Annotated[float, FORCE.positive()]
 Gap = Annotated[float, GAP]
 HighestOrder = Annotated[float, NUMBER.between(0.5, 100.0)]
@@ -74,6 +92,7 @@ Number = Annotated[float, NUMBER.positive()]
 PerLength = Annotated[float, PER_LENGTH.positive()]
 Power = Annotated[float, POWER.positive()]
 Pressure = Annotated[float, PRESSURE]
+Psi = Annotated[float, RELATIVE_DAMPING]
 Reliability = Annotated[float, PROBABILITY.between(0.90, 1.0)]
 Share = Annotated[float, NUMBER.between(0.0, 1.0)]
 Stiffness = Annotated[float, STIFFNESS.positive()]

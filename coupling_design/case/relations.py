@@ -14,7 +14,7 @@ from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues
 from coupling_design.case.catalogue_relations import check_catalogues
 from coupling_design.case.choices import GAPPED, check_choices
 from coupling_design.case.document import Document
-from coupling_design.case.engine_relations import check_engine
+from coupling_design.case.engine_relations import check_engine, check_working_engine
 from coupling_design.case.kinds import (
     AngularSpeed,
     CrankAngles,
@@ -46,6 +46,7 @@ def check_relations(
     yield from _reliability(values)
     yield from check_stress_coefficients(values)
     yield from check_engine(values, document.file)
+    yield from check_working_engine(values, document.file)
     series = [series.name for series in catalogues.types]
     yield from check_choices(values, series if catalogues.is_sound else None)
     yield from check_catalogues(values, catalogues)

@@ -12,11 +12,15 @@ from pydantic import BaseModel, Discriminator, Field, Tag
 
 from coupling_design.bearing.parameters import BearingType, Cleanliness
 from coupling_design.case.case import Choice, ConnectionKind, LoadLimitReading, Plan
-from coupling_design.case.engine_schema import EngineExcitation
+from coupling_design.case.engine_schema import (
+    EngineExcitation,
+    WorkingEngineExcitation,
+)
 from coupling_design.case.kinds import (
     Angle,
     AngularSpeed,
     Damping,
+    Factor,
     Force,
     Friction,
     Gap,
@@ -25,6 +29,7 @@ from coupling_design.case.kinds import (
     Number,
     PerLength,
     PositiveTorque,
+    Psi,
     Reliability,
     Stiffness,
     Stress,
@@ -134,16 +139,32 @@ class SpeedRange(Section):
     highest: Stated[AngularSpeed]
 
 
+class ShortCircuitSection(Section):
+    """A short circuit at the generator's terminals."""
+
+    air_gap_torque: Stated[PositiveTorque]
+    sudden_load_factor: Stated[Factor]
+
+
+WorkingExcitation = Annotated[
+    Annotated[Orders, Tag("orders")]
+    | Annotated[WorkingEngineExcitation, Tag("engine")],
+    Discriminator(_form_of_excitation),
+]
+
+
 class DutySection(Section):
     """What the set works at."""
 
     working_speed: SpeedRange
     rated_torque: Stated[PositiveTorque]
     peak_torque: Stated[PositiveTorque]
-    service_factor: Stated[Number]
+    service_factor: Stated[Factor]
     rare_torque: Stated[PositiveTorque] | None = None
-    temperature_factor: Stated[Number] | None = None
-    start_factor: Stated[Number] | None = None
+    short_circuit: ShortCircuitSection | None = None
+    temperature_factor: Stated[Factor] | None = None
+    start_factor: Stated[Factor] | None = None
+    excitation: WorkingExcitation | None = None
 
 
 class StiffnessRange(Section):
@@ -172,7 +193,7 @@ class Relative(Section):
     """Damping from DIN 740's relative damping psi."""
 
     law: Literal["relative_damping"]
-    relative_damping: Stated[Number]
+    relative_damping: Stated[Psi]
 
 
 class CouplingTypeSection(Section):

@@ -20,6 +20,16 @@ EXAMPLES = (
 _SIDE = "case file or design.json"
 
 
+_SizeOf = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAME",
+        show_default=False,
+        help="roll out this size of the case's catalogue, not its present coupling",
+    ),
+]
+
+
 def run(
     first: Annotated[str, typer.Argument(metavar="A", help=_SIDE)],
     second: Annotated[str, typer.Argument(metavar="B", help=_SIDE)],
@@ -28,6 +38,8 @@ def run(
         bool,
         typer.Option("--design", help="design the coupling of cases, too (seconds)"),
     ] = False,
+    size_a: _SizeOf = None,
+    size_b: _SizeOf = None,
 ) -> int:
     """Put two cases or two results side by side: what changed, and what it did.
 
@@ -42,18 +54,21 @@ def run(
         read_side,
     )
     from coupling_design.report.blocks import facts
+    from coupling_design.report.chances import CHAOTIC
     from coupling_design.report.console import make_report_console
     from coupling_design.report.progress import show_progress
 
     with show_progress() as progress:
         progress(first)
-        a = read_side(first, design=design)
+        a = read_side(first, design=design, size=size_a)
         progress(second)
-        b = read_side(second, design=design)
+        b = read_side(second, design=design, size=size_b)
     console = make_report_console()
     console.print(facts([("A", a.label), ("B", b.label)]), Text())
     console.print(_inputs(differing_inputs(a, b)), Text())
     console.print(_results(compare_results(a, b)))
+    if any("chaotic" in name for side in (a, b) for name in side.results):
+        console.print(Text(), Text(CHAOTIC))
     return 0
 
 

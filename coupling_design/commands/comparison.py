@@ -26,6 +26,7 @@ _NAMES = {
     "damages": "1",
     "damage": "1",
     "damage_reduction": "1",
+    "chaotic": "",
 }
 _PARTS = {"baseline": "present", "chosen": "chosen"}
 
@@ -58,10 +59,11 @@ class Difference:
     change: float | None = None
 
 
-def read_side(file: str, *, design: bool) -> Side:
+def read_side(file: str, *, design: bool, size: str | None = None) -> Side:
     """Return what a case (.yaml) or a result (design.json) has to compare.
 
-    A case's present coupling is rolled out; with `design` the whole flow is run.
+    A case's present coupling is rolled out, or a size of its catalogue in its place;
+    with `design` the whole flow is run.
     """
     if Path(file).suffix == ".json":
         return _of_document(file, _read_result(file))
@@ -77,7 +79,7 @@ def read_side(file: str, *, design: bool) -> Side:
     if design:
         results = _of_document(file, build_document(run_design(case))).results
         return Side(file, inputs, results)
-    return Side(file, inputs, dict(_results({"baseline": _present(case)})))
+    return Side(file, inputs, dict(_results({"baseline": _present(case, size)})))
 
 
 def differing_inputs(first: Side, second: Side) -> tuple[Difference, ...] | None:
@@ -115,15 +117,18 @@ def _text(side: tuple[Shown, str] | None) -> str | None:
     return None if side is None else side[1] or str(side[0])
 
 
-def _present(case: Any) -> dict[str, Any]:
+def _present(case: Any, size: str | None) -> dict[str, Any]:
+    from coupling_design.design.conditioning import chaotic
     from coupling_design.design.evaluation import Evaluator
-    from coupling_design.explore.points import present_point
+    from coupling_design.explore.points import find_point
 
-    point = present_point(case)
-    performance = Evaluator(case, point.candidate).performance(
-        point.torsional_stiffness, point.key_gap
-    )
+    point = find_point(case, size=size)
+    evaluator = Evaluator(case, point.candidate)
+    performance = evaluator.performance(point.torsional_stiffness, point.key_gap)
+    real = point.candidate.size
     return {
+        "size": real.name if real else None,
+        "chaotic": "yes" if chaotic(evaluator, performance) else None,
         "coupling_type": point.candidate.coupling_type.name,
         "connection": point.candidate.connection.kind.value,
         "damage": performance.damage,

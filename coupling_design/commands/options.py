@@ -38,3 +38,12 @@ Overrides = Annotated[
         "as much of the path's end as tells it from others; may be repeated",
     ),
 ]
+Size = Annotated[
+    str | None,
+    typer.Option(
+        "--size",
+        metavar="NAME",
+        show_default=False,
+        help="a size of the case's catalogue, with all that its sheet states",
+    ),
+]

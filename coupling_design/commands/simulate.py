@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from coupling_design.commands.options import CaseFile, Overrides
+from coupling_design.commands.options import CaseFile, Overrides, Size
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from rich.console import RenderableType
 
     from coupling_design.explore.grid import Grid, Quantity
+    from coupling_design.explore.simulation import Simulation
 
 EXAMPLES = (
     "simulate cases/16v280.yaml",
@@ -52,14 +55,16 @@ def run(
     gap: _Gap = None,
     coupling_type: _Type = None,
     connection: _Connection = None,
+    size: Size = None,
     out: _Out = None,
     every: _Every = 1,
     overrides: Overrides = None,
 ) -> int:
-    """Roll out one run-down: speeds, forces, loads and damage over time.
+    """Roll out one coupling's run-down: speeds, forces, loads and damage over time.
 
-    The present coupling, unless said otherwise. The table is of all steps, whatever
-    goes to the file.
+    The present coupling, unless said otherwise; another type at the stiffness of its
+    range nearest to the present one, a size with all that its sheet states. Totals are
+    judged over all crank angles, signals are those of the one whose peak decides.
     """
     from coupling_design.case import load_case
     from coupling_design.explore.files import check_file, write_grid
@@ -70,7 +75,7 @@ def run(
     from coupling_design.report.progress import show_progress
 
     loaded = load_case(case, overrides or ())
-    point = find_point(loaded, stiffness, gap, coupling_type, connection)
+    point = find_point(loaded, stiffness, gap, coupling_type, connection, size)
     if out is not None:
         check_file(out)
     with show_progress() as progress:
@@ -79,11 +84,27 @@ def run(
     console = make_report_console()
     label = point.candidate.label
     console.print(render_design(label, simulation.performance, None), "")
+    for sentence in _sentences(simulation):
+        console.print(sentence, "", sep="\n")
     console.print(_render(simulation.signals))
     if out is not None:
         write_grid(simulation.signals.every(every), out)
         console.print(f"Written: {out}", soft_wrap=True)
     return 0
+
+
+def _sentences(simulation: Simulation) -> Iterator[str]:
+    """Yield over what the totals are judged, of which run-down the signals are."""
+    from coupling_design.report.chances import CHAOTIC, describe_chances
+
+    facts = simulation.signals.facts
+    yield f"Judged over {describe_chances(simulation.performance)}"
+    yield (
+        f"Signals: of the run-down whose peak decides, crank angle "
+        f"{facts['crank_angle']}, gravity at {facts['gravity_angle']}."
+    )
+    if simulation.is_chaotic:
+        yield CHAOTIC
 
 
 def _render(signals: Grid) -> RenderableType:

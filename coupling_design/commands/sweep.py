@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from coupling_design.commands.group import INTERRUPTED
-from coupling_design.commands.options import CaseFile, Overrides, complete_place
+from coupling_design.commands.options import CaseFile, Overrides, Size, complete_place
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -59,12 +59,14 @@ def run(
     case: CaseFile,
     what: _What,
     out: _Out = None,
+    size: Size = None,
     overrides: Overrides = None,
 ) -> int:
     """Roll out a run-down at every point of a grid of any values of the case.
 
-    The present coupling, in the order written, the first varying slowest. Interrupted
-    with Ctrl-C, it leaves the points that are finished.
+    The present coupling, or a size, in the order written, the first varying slowest.
+    Each point is judged over all crank angles. Interrupted with Ctrl-C, it leaves the
+    points that are finished.
     """
     from coupling_design.case.load import case_of, read_document
     from coupling_design.case.overrides import override
@@ -76,7 +78,8 @@ def run(
 
     document = override(read_document(case), overrides or ())
     loaded = case_of(document)
-    plan = plan_sweep(document, loaded, parse_axes(document, loaded, what))
+    axes = parse_axes(document, loaded, what)
+    plan = plan_sweep(document, loaded, axes, size)
     if out is not None:
         check_file(out)
     with count_progress("run-downs", plan.size) as advance:
@@ -95,6 +98,7 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     from rich.text import Text
 
     from coupling_design.explore.sweep import COMPLETE
+    from coupling_design.report.chances import CHAOTIC
 
     columns = {column.name: column for column in grid.columns()}
     known = np.flatnonzero(np.isfinite(columns["damage"].values))
@@ -103,6 +107,9 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     if len(known) <= _MOST_ROWS:
         parts.append(_points(columns, axes, known.tolist()))
     parts += [Text(), _extremes(columns, axes, known.tolist())]
+    chaotic = int((columns["chaotic"].values[known] > 0).sum())
+    if chaotic:
+        parts.append(Text(f"{chaotic} of {len(known)} points. {CHAOTIC}"))
     missing = columns["damage"].values.size - len(known)
     if grid.facts["status"] != COMPLETE:
         parts.append(Text(f"Sweep {grid.facts['status']}."))

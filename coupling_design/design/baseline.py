@@ -27,18 +27,19 @@ def present_candidate(case: Case) -> Candidate:
     present = next(
         t for t in case.coupling_types if t.name == case.present_coupling_type
     )
-    return Candidate(present, connection_option(case, case.present_connection))
+    option = connection_option(case, case.present_connection)
+    stiffness = case.driveline.coupling.torsional_stiffness
+    return Candidate(present, option, present.size_of(stiffness))
 
 
 def evaluate_baseline(bench: Workbench) -> Baseline:
     """Return what the present coupling does."""
     case, candidate = bench.case, present_candidate(bench.case)
     evaluator = bench.evaluator(candidate)
-    driveline = case.driveline
-    performance = evaluator.performance(
-        driveline.coupling.torsional_stiffness,
-        getattr(driveline.connection, "gap", 0.0),
-    )
+    stiffness = case.driveline.coupling.torsional_stiffness
+    gap = getattr(case.driveline.connection, "gap", 0.0)
+    driveline = evaluator.driveline(stiffness, gap)
+    performance = evaluator.performance(stiffness, gap)
     return Baseline(
         performance=performance,
         connection=candidate.connection.kind.value,

@@ -22,6 +22,8 @@ from coupling_design.design.results import Performance, Sense
 # Above this ratio of excitation to natural frequency a soft mount attenuates, [1].
 ISOLATION_RATIO = math.sqrt(2)
 
+_SMALL_ORDER = 0.01  # of the largest amplitude
+
 _ISOLATION_SOURCE = "passive vibration isolation, sqrt 2 (paper, step 2)"
 
 
@@ -30,13 +32,25 @@ def excitation_frequencies(case: Case) -> tuple[tuple[float, float, float], ...]
     lowest, highest = (speed / (2 * math.pi) for speed in case.duty.working_speed)
     return tuple(
         (order.order, order.order * lowest, order.order * highest)
-        for order in case.driveline.excitation
+        for order in case.working_excitation
     )
 
 
 def highest_excitation(case: Case) -> float:
     """Return the highest excitation frequency in the working speed range [Hz]."""
     return max(highest for _, _, highest in excitation_frequencies(case))
+
+
+def deciding_orders(case: Case) -> tuple[float, float]:
+    """Return the highest order of all, and of those of 1 % of the largest or more.
+
+    By amplitude, at working speed; each order counts for the limit of step 4, however
+    small it is.
+    """
+    orders = case.working_excitation
+    largest = max(abs(order.amplitude) for order in orders)
+    strong = [o.order for o in orders if abs(o.amplitude) >= _SMALL_ORDER * largest]
+    return max(order.order for order in orders), max(strong)
 
 
 def isolation_constraints(case: Case) -> tuple[Constraint, ...]:

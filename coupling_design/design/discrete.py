@@ -11,9 +11,11 @@ from coupling_design.design.candidate import Candidate
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.coupling_checks import size_criteria
-from coupling_design.design.performance import Criterion
+from coupling_design.design.performance import Criterion, Verdict, none_fails
 from coupling_design.design.stages.coupling_types import carrying_sizes
 from coupling_design.design.state import FlowState, Solution
+
+_ALL_MET = "meets every limit"
 
 
 def choose_size(state: FlowState) -> CatalogueChoice | None:
@@ -84,13 +86,13 @@ def _try(
         *asked,
         *(c.criterion(outline) for c in solution.constraints if not c.needs_rollout),
     )
-    if not all(criterion.passes for criterion in known):
+    if not none_fails(known):
         return SizeTrial(size, None, known, passes=False, remark=_remark(known))
     state.bench.progress(f"size {candidate.label}")
     gap = float(solution.optimum.performance.key_gap)
     performance = evaluator.performance(size.torsional_stiffness, gap)
     criteria = (*asked, *(c.criterion(performance) for c in solution.constraints))
-    passes = all(criterion.passes for criterion in criteria)
+    passes = none_fails(criteria)
     return SizeTrial(size, performance, criteria, passes, _remark(criteria))
 
 
@@ -100,8 +102,12 @@ def _candidate(case: Case, solution: Solution, size: CouplingSize) -> Candidate:
 
 
 def _remark(criteria: tuple[Criterion, ...]) -> str:
-    failed = [c.name.partition(": ")[2] or c.name for c in criteria if not c.passes]
-    return f"fails: {'; '.join(failed)}" if failed else "meets every limit"
+    failed = [c.name.partition(": ")[2] or c.name for c in criteria if c.fails]
+    if failed:
+        return f"fails: {'; '.join(failed)}"
+    unknown = [c for c in criteria if c.verdict is Verdict.NOT_CHECKED]
+    names = "; ".join(c.name.partition(": ")[2] or c.name for c in unknown)
+    return f"meets every limit checked; not checked: {names}" if names else _ALL_MET
 
 
 def _least_damage(trials: tuple[SizeTrial, ...]) -> SizeTrial | None:

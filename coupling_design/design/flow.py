@@ -24,6 +24,7 @@ from coupling_design.design.histories import (
     rundown_history,
     steps_with_maps,
 )
+from coupling_design.design.performance import none_fails
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
@@ -216,7 +217,7 @@ def _strict_reading(case: Case, performance: Performance) -> LoadReading:
     return LoadReading(
         reading=LoadLimitReading.COMBINED_LOAD.value,
         criteria=criteria,
-        passes=all(criterion.passes for criterion in criteria),
+        passes=none_fails(criteria),
         permissible_transmission_force=float(
             strict_transmission_force(case.shaft, case.bearings)
         ),

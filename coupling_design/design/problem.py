@@ -16,7 +16,7 @@ import numpy as np
 from coupling_design.arithmetic import Scalar
 from coupling_design.design.callback import RolloutCallback
 from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.results import Criterion, Performance, Sense
+from coupling_design.design.performance import Criterion, Performance, Sense, held
 
 # The program's limits lie this much inside the true ones, relative, so that a point
 # which the solver puts on a limit passes it when it is checked again.
@@ -55,15 +55,13 @@ class Constraint:
 
     def criterion(self, performance: Performance) -> Criterion:
         """Return the constraint held against a performance of numbers."""
-        excess = float(self.excess(performance))
-        return Criterion(
-            name=self.name,
-            value=float(self.quantity(performance)),
-            limit=self.limit,
+        return held(
+            self.name,
+            float(self.quantity(performance)),
+            self.limit,
+            float(self.excess(performance)),
             sense=self.sense,
             unit=self.unit,
-            passes=excess <= 0.0,
-            margin=-excess + 0.0,
             source=self.source,
         )
 

@@ -10,6 +10,7 @@ from coupling_design.design.catalogue_choice import CatalogueChoice
 from coupling_design.design.performance import Criterion as Criterion
 from coupling_design.design.performance import Performance as Performance
 from coupling_design.design.performance import Sense as Sense
+from coupling_design.design.performance import Verdict as Verdict
 from coupling_design.design.sensitivity import Sensitivity
 from coupling_design.design.signals import RundownHistory
 

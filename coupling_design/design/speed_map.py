@@ -9,7 +9,7 @@ Sources
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -111,17 +111,21 @@ class SpeedMap:
     chosen: CouplingSpeeds | None
 
 
-def evaluate_speed_map(case: Case, chosen: ChosenDesign | None = None) -> SpeedMap:
-    """Return the case's speed map, the chosen coupling's beside the present one's."""
+def evaluate_speed_map(
+    case: Case, chosen: ChosenDesign | None = None, other: Candidate | None = None
+) -> SpeedMap:
+    """Return the case's speed map, the chosen coupling's beside the present one's.
+
+    `other` is a real size to show in place of the present coupling.
+    """
+    shown = other or present_candidate(case)
     ends = np.array([0.0, _end(case.duty.working_speed)])
     return SpeedMap(
-        orders=np.array([o.order for o in case.driveline.excitation], dtype=float),
+        orders=np.array([o.order for o in case.working_excitation], dtype=float),
         working_speed=case.duty.working_speed,
         speeds=ends,
-        order_lines=order_lines(case.driveline, ends),
-        present=_coupling_speeds(
-            case, "present", present_candidate(case), case.driveline
-        ),
+        order_lines=order_lines(_at_work(case, case.driveline), ends),
+        present=_coupling_speeds(case, "present", shown, _line_of(case, shown)),
         chosen=None if chosen is None else _chosen_speeds(case, chosen),
     )
 
@@ -141,7 +145,7 @@ def _chosen_speeds(case: Case, chosen: ChosenDesign) -> CouplingSpeeds:
 def _coupling_speeds(
     case: Case, name: str, candidate: Candidate, driveline: Driveline
 ) -> CouplingSpeeds:
-    working = case.duty.working_speed
+    working, driveline = case.duty.working_speed, _at_work(case, driveline)
     critical = critical_speeds(driveline, working)
     frequencies = natural_frequencies(driveline)
     peaks = np.outer([c.speed for c in critical], _AROUND_PEAKS).ravel()
@@ -159,6 +163,19 @@ def _coupling_speeds(
         vibration=vibration,
         operating_points=operating_points(vibration, working),
     )
+
+
+def _line_of(case: Case, candidate: Candidate) -> Driveline:
+    """Return the driveline with a size in it, or with the present stiffness."""
+    size, line = candidate.size, case.driveline
+    stiffness = size.torsional_stiffness if size else line.coupling.torsional_stiffness
+    gap = getattr(line.connection, "gap", 0.0)
+    return candidate_driveline(case, candidate, stiffness, gap)
+
+
+def _at_work(case: Case, driveline: Driveline) -> Driveline:
+    """Return a driveline driven as it is at working speed."""
+    return replace(driveline, excitation=case.working_excitation)
 
 
 def _band(

@@ -68,7 +68,7 @@ def evaluate_vibration(
     even = np.linspace(0.0, highest_speed, _SPEEDS + 1)[1:]
     others = [speed for speed in also if 0.0 < speed < highest_speed]
     speeds = np.unique(np.concatenate([even, others]))
-    response = forced_response(driveline, speeds)
+    response = forced_response(driveline, speeds, per_cycle=True)
     torque = np.abs(response.coupling_torque)
     return SteadyVibration(
         speeds=speeds,

@@ -7,26 +7,19 @@ Sources
 [2] FLENDER Standard Couplings, catalogue MD 10.1: the frequency factor FF of [1].
 
 The vibratory torques are those of `forced_response`. A relative damping or loss factor
-is work per cycle, whatever the frequency [1]; here each order is given the viscous
-damping that does this work at its own frequency, c = k psi / (2 pi omega).
+is work per cycle, whatever the frequency [1]: each order has it at its own.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from coupling_design.driveline.forced_response import forced_response
 from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import (
-    DampingLaw,
-    Driveline,
-    LossFactorDamping,
-    ProportionalDamping,
-    RelativeDamping,
-)
+from coupling_design.driveline.parameters import Driveline
 
 _SPEEDS = 33
 _REFERENCE_FREQUENCY = 10.0  # [Hz], at which T_KW is given, [1]
@@ -65,20 +58,6 @@ class Passage:
 def frequency_factor(frequency: float) -> float:
     """Return S_f = sqrt(f / 10 Hz) [-], 1 up to 10 Hz; [1], FF in [2]."""
     return math.sqrt(max(frequency / _REFERENCE_FREQUENCY, 1.0))
-
-
-def per_cycle(law: DampingLaw, angular_frequency: float) -> ProportionalDamping:
-    """Return the viscous damping that does a law's work at a frequency [rad/s].
-
-    [1]: c = psi k / (2 pi omega), and c = eta k / omega. Damping that is viscous by
-    its own law stays as it is.
-    """
-    if isinstance(law, RelativeDamping):
-        eta = law.relative_damping / (2 * math.pi)
-        return ProportionalDamping(eta, angular_frequency)
-    if isinstance(law, LossFactorDamping):
-        return ProportionalDamping(law.loss_factor, angular_frequency)
-    return law
 
 
 def working_load(driveline: Driveline, speeds: tuple[float, float]) -> WorkingLoad:
@@ -122,17 +101,12 @@ def _resonances(driveline: Driveline) -> list[tuple[float, float]]:
 
 def _orders(driveline: Driveline, speed: float) -> list[tuple[float, float, float]]:
     """Return frequency [Hz], T_W [N m] and P_W [W] of each order at a mean speed."""
-    found = []
-    for order in driveline.excitation:
-        omega = order.order * speed
-        law = per_cycle(driveline.coupling.damping_law, omega)
-        alone = replace(
-            driveline,
-            coupling=replace(driveline.coupling, damping_law=law),
-            excitation=(order,),
+    response = forced_response(driveline, np.array([speed]), per_cycle=True)
+    return [
+        (
+            float(order) * speed / (2 * math.pi),
+            float(np.abs(response.coupling_torque[i, 0])),
+            float(response.power_loss[i, 0]),
         )
-        response = forced_response(alone, np.array([speed]))
-        T_W = float(np.abs(response.coupling_torque[0, 0]))
-        P_W = float(response.power_loss[0, 0])
-        found.append((omega / (2 * math.pi), T_W, P_W))
-    return found
+        for i, order in enumerate(response.orders)
+    ]

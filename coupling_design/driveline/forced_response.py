@@ -16,7 +16,7 @@ What is left out, and when it matters:
   acts here, where `modes.damping_matrix` has friction as steep as at standstill.
 * Orders push at the mean crank angle. That the vibration itself shifts them is of
   second order in their amplitude.
-* Damping is viscous, as in the rollout, also where the law's value is one per cycle.
+* Damping is viscous, as in the rollout, unless asked for per cycle.
 """
 
 from __future__ import annotations
@@ -36,7 +36,12 @@ from coupling_design.driveline.modes import (
     mass_matrix,
     stiffness_matrix,
 )
-from coupling_design.driveline.parameters import Driveline, ExcitationOrder
+from coupling_design.driveline.parameters import (
+    Driveline,
+    ExcitationOrder,
+    LossFactorDamping,
+    RelativeDamping,
+)
 
 _ComplexArray = NDArray[np.complex128]
 
@@ -67,8 +72,13 @@ class ForcedResponse:
     power_loss: FloatArray
 
 
-def forced_response(driveline: Driveline, speeds: FloatArray) -> ForcedResponse:
+def forced_response(
+    driveline: Driveline, speeds: FloatArray, *, per_cycle: bool = False
+) -> ForcedResponse:
     """Return the steady vibration at mean speeds above zero [rad/s].
+
+    `per_cycle` gives each order the damping that does the law's work per cycle at its
+    own frequency, as [3] means it; without it damping is viscous, as in a run-down.
 
     Notes
     -----
@@ -81,10 +91,10 @@ def forced_response(driveline: Driveline, speeds: FloatArray) -> ForcedResponse:
         raise ValueError("a steady response needs mean speeds above zero")
     orders = np.array([o.order for o in driveline.excitation], dtype=float)
     omega = np.outer(orders, speeds)
-    theta = _angles(driveline, omega)
+    c = _coupling_damping(driveline, omega, per_cycle=per_cycle)
+    theta = _angles(driveline, omega, c)
     x, theta_3 = theta[..., 0] - theta[..., 1], theta[..., -1]
     k = driveline.coupling.torsional_stiffness
-    c = float(coupling_damping(driveline.coupling, reduced_inertia(driveline)))
     c_t, J3 = driveline.generator_resistance.viscous, driveline.generator_inertia
     return ForcedResponse(
         orders=orders,
@@ -113,10 +123,36 @@ def power_loss(driveline: Driveline, speeds: FloatArray) -> FloatArray:
     return loss
 
 
-def _angles(driveline: Driveline, omega: FloatArray) -> _ComplexArray:
-    """Return the complex angles [rad] of the masses, along a last axis, by [2]."""
+def _coupling_damping(
+    driveline: Driveline, omega: FloatArray, *, per_cycle: bool
+) -> FloatArray:
+    """Return the coupling's viscous damping [N m s/rad] at each frequency [rad/s].
+
+    Per cycle [3]: c = psi k / (2 pi w), and c = eta k / w. Damping that is viscous by
+    its own law stays as it is.
+    """
+    law, k = driveline.coupling.damping_law, driveline.coupling.torsional_stiffness
+    if per_cycle and isinstance(law, RelativeDamping):
+        return np.asarray(law.relative_damping * k / (2 * np.pi * omega))
+    if per_cycle and isinstance(law, LossFactorDamping):
+        return np.asarray(law.loss_factor * k / omega)
+    c = coupling_damping(driveline.coupling, reduced_inertia(driveline))
+    return np.full(omega.shape, float(c))
+
+
+def _angles(
+    driveline: Driveline, omega: FloatArray, coupling: FloatArray
+) -> _ComplexArray:
+    """Return the complex angles [rad] of the masses, along a last axis, by [2].
+
+    `coupling` is the coupling's damping at each frequency [N m s/rad].
+    """
     M, K = mass_matrix(driveline), stiffness_matrix(driveline)
-    C = damping_matrix(_without_friction(driveline))
+    undamped = replace(driveline.coupling, damping_law=LossFactorDamping(0.0))
+    rest = replace(_without_friction(driveline), coupling=undamped)
+    between = np.zeros(M.shape)
+    between[:2, :2] = [[1.0, -1.0], [-1.0, 1.0]]
+    C = damping_matrix(rest) + coupling[..., np.newaxis, np.newaxis] * between
     w = omega[..., np.newaxis, np.newaxis]
     force = np.zeros((*omega.shape, len(M), 1), dtype=complex)
     for i, order in enumerate(driveline.excitation):

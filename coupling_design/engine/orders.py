@@ -25,6 +25,9 @@ from coupling_design.engine.torque import cylinder_torque
 ComplexArray = NDArray[np.complex128]
 
 
+_ROUNDING = 1e-10  # of the largest order of all cylinders in step
+
+
 @dataclass(frozen=True)
 class TorqueOrder:
     """One harmonic: amplitude [N m] times sin(order x crank angle + phase [rad])."""
@@ -71,7 +74,9 @@ def list_orders(
     """Return every order up to the highest, those that cancel too."""
     phasors, in_step = _phasors(engine)
     amplitudes = np.abs(phasors)
-    limit = threshold * amplitudes.max()
+    # What cancels leaves rounding of what does not: that is no order, however low
+    # the threshold.
+    limit = max(threshold * amplitudes.max(), _ROUNDING * in_step.max())
     turns = engine.cycle.turns
     count = min(int(highest_order * turns + 1e-9), len(phasors))
     return tuple(

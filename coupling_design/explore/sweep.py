@@ -15,13 +15,14 @@ from coupling_design.case.case import Case
 from coupling_design.case.document import Document
 from coupling_design.case.load import case_of
 from coupling_design.case.overrides import override
+from coupling_design.design.conditioning import are_chaotic
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.performance import Performance
 from coupling_design.design.stability import check_time_step
 from coupling_design.errors import SimulationError
 from coupling_design.explore.axes import GAP_PATH, STIFFNESS_PATH, Axis
 from coupling_design.explore.grid import Grid, Quantity
-from coupling_design.explore.points import Point, present_point
+from coupling_design.explore.points import Point, find_point
 from coupling_design.explore.simulation import facts_of
 
 COMPLETE = "complete"
@@ -35,6 +36,7 @@ _TOTALS = (
     ("peak_transmission_force", "N", "largest transmission force F_c"),
     ("peak_combined_load_1", "N", "largest combined load, {0}"),
     ("peak_combined_load_2", "N", "largest combined load, {1}"),
+    ("chaotic", "1", "1 where a start moved by 1e-12 rad moves damage by over 1e-3"),
 )
 
 Advance = Callable[[int], None]
@@ -44,12 +46,18 @@ Advance = Callable[[int], None]
 class Plan:
     """A sweep not yet run: its axes, and the case of each place off stiffness and gap.
 
-    `cases` has an entry for each combination of the other axes' indices.
+    `cases` has an entry for each combination of the other axes' indices; `named_size`
+    is one of the catalogue in place of the present coupling.
     """
 
     case: Case
     axes: tuple[Axis, ...]
     cases: dict[tuple[int, ...], Case]
+    named_size: str | None = None
+
+    def point(self, case: Case) -> Point:
+        """Return what a case has where no axis says otherwise."""
+        return find_point(case, size=self.named_size)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -62,8 +70,11 @@ class Plan:
         return math.prod(self.shape)
 
 
-def plan_sweep(document: Document, case: Case, axes: tuple[Axis, ...]) -> Plan:
+def plan_sweep(
+    document: Document, case: Case, axes: tuple[Axis, ...], size: str | None = None
+) -> Plan:
     """Return a sweep with every case validated; raise CaseError if one is not valid."""
+    find_point(case, size=size)
     others = [axis for axis in axes if not axis.is_design]
     cases = {}
     for indices in product(*(range(len(axis.texts)) for axis in others)):
@@ -73,7 +84,7 @@ def plan_sweep(document: Document, case: Case, axes: tuple[Axis, ...]) -> Plan:
         ]
         cases[indices] = case_of(override(document, values)) if values else case
         check_time_step(cases[indices])
-    return Plan(case, axes, cases)
+    return Plan(case, axes, cases, size)
 
 
 def run_sweep(plan: Plan, advance: Advance = lambda _: None) -> Grid:
@@ -100,7 +111,7 @@ def run_sweep(plan: Plan, advance: Advance = lambda _: None) -> Grid:
 
 def _grid(plan: Plan, totals: FloatArray, status: str, diverged: int) -> Grid:
     names = [bearing.name for bearing in plan.case.bearings]
-    facts = facts_of(plan.case, present_point(plan.case))
+    facts = facts_of(plan.case, plan.point(plan.case))
     return Grid(
         axes=tuple(axis.quantity for axis in plan.axes),
         quantities=tuple(
@@ -117,7 +128,7 @@ _Place = tuple[tuple[int, ...], tuple[float, float]]
 def _batches(plan: Plan) -> Iterator[tuple[Evaluator, Sequence[_Place]]]:
     """Yield evaluators with some points each: where in the grid, stiffness and gap."""
     for other, case in plan.cases.items():
-        present = present_point(case)
+        present = plan.point(case)
         evaluator = Evaluator(case, present.candidate)
         places = list(_places(plan, other, present))
         size = _BATCH if evaluator.is_compiled else _SMALL_BATCH
@@ -150,7 +161,13 @@ def _perform(
     evaluator: Evaluator, points: Sequence[tuple[float, float]]
 ) -> list[list[float]]:
     try:
-        return [_row(each) for each in evaluator.performances(points)]
+        found = evaluator.performances(points)
+        return [
+            [*_row(each), float(is_chaotic)]
+            for each, is_chaotic in zip(
+                found, are_chaotic(evaluator, points), strict=True
+            )
+        ]
     except SimulationError:
         if len(points) == 1:
             return [[math.nan] * len(_TOTALS)]

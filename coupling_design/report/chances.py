@@ -16,6 +16,10 @@ from coupling_design.driveline.parameters import (
 from coupling_design.report.numbers import significant
 from coupling_design.report.units import quantity
 
+CHAOTIC = (
+    "Chaotic: a start moved by 1e-12 rad moves the damage by more than 1e-3 of it. The "
+    "digits beyond are no computer's to tell."
+)
 _UNSETTLED = (
     " Before it the key rattles without a period at the initial speed: the start is "
     "that after 200 periods, and stands for no other."

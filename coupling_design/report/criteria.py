@@ -11,7 +11,7 @@ from coupling_design.design.results import Criterion
 from coupling_design.report.blocks import facts, table, titled
 from coupling_design.report.numbers import percent
 from coupling_design.report.units import display_unit, value_and_limit
-from coupling_design.report.words import verdict
+from coupling_design.report.words import verdict_of
 
 
 def render_criteria(title: str, criteria: Sequence[Criterion]) -> RenderableType | None:
@@ -28,9 +28,9 @@ def render_criteria(title: str, criteria: Sequence[Criterion]) -> RenderableType
             Text(criterion.name),
             value,
             limit,
-            percent(criterion.margin),
+            "-" if criterion.margin is None else percent(criterion.margin),
             display_unit(criterion.unit),
-            verdict(criterion.passes),
+            verdict_of(criterion.verdict),
             Text(f"[{sources.index(criterion.source) + 1}]"),
         )
     numbered = facts((f"[{n}]", source) for n, source in enumerate(sources, start=1))

@@ -6,8 +6,10 @@ from dataclasses import asdict
 from typing import Any
 
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
-from coupling_design.design.performance import Criterion, Performance
+from coupling_design.design.performance import Criterion, Performance, Verdict
 from coupling_design.design.sensitivity import Sensitivity
+
+_PASSES = {Verdict.PASS: True, Verdict.FAIL: False, Verdict.NOT_CHECKED: None}
 
 
 def performance_part(performance: Performance) -> dict[str, Any]:
@@ -34,12 +36,13 @@ def criterion_part(criterion: Criterion) -> dict[str, Any]:
     """Return a value against its limit."""
     return {
         "name": criterion.name,
-        "value": float(criterion.value),
-        "limit": float(criterion.limit),
+        "value": criterion.value,
+        "limit": criterion.limit,
         "sense": criterion.sense.value,
         "unit": criterion.unit,
-        "passes": bool(criterion.passes),
-        "margin": float(criterion.margin),
+        "verdict": criterion.verdict.value,
+        "passes": _PASSES[criterion.verdict],
+        "margin": criterion.margin,
         "source": criterion.source,
     }
 

@@ -47,10 +47,13 @@ def as_given(value: float, unit: str) -> str:
 
 
 def value_and_limit(criterion: Criterion) -> tuple[str, str]:
-    """Return both numbers of a criterion; never alike if the value is off its limit."""
+    """Return both numbers of a criterion; alike only where the value is its limit."""
+    known = [each for each in (criterion.value, criterion.limit) if each is not None]
+    shown: list[str] = []
     for digits in range(DIGITS, _MOST_DIGITS + 1):
-        value = quantity(criterion.value, criterion.unit, digits)
-        limit = quantity(criterion.limit, criterion.unit, digits)
-        if criterion.passes or value != limit:
+        shown = [quantity(each, criterion.unit, digits) for each in known]
+        if len(set(shown)) == len(set(known)):
             break
-    return value, f"{criterion.sense} {limit}"
+    value = shown[0] if criterion.value is not None else "-"
+    limit = f"{criterion.sense} {shown[-1]}" if criterion.limit is not None else "-"
+    return value, limit

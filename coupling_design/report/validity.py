@@ -6,18 +6,10 @@ from collections.abc import Iterable
 
 from rich.panel import Panel
 
-from coupling_design.design.results import DesignOutcome, Rundown
+from coupling_design.design.results import DesignOutcome, Rundown, Verdict
 from coupling_design.report.blocks import bullets, panel
 from coupling_design.report.numbers import significant
 
-_UNCHECKED = (
-    "Vibratory torque T_KW and power loss P_KV of the coupling are not checked."
-)
-_CHECKED_FOR_SIZES = (
-    "Vibratory torque T_KW and power loss P_KV are checked for catalogue sizes whose "
-    "sheet gives them, by the linear steady response to this case's orders: a fired "
-    "engine's are larger than those of a run-down without fuel."
-)
 _ALWAYS = (
     "Damage is the Miner sum of one run-down as described by the case: multiply by the "
     "number of stops. Starts, load steps, misfire, short circuit and faulty "
@@ -42,8 +34,15 @@ def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
     own = list(_of_rundown("Present", outcome.baseline.rundown))
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
-    has_sizes = bool(outcome.case.catalogues)
-    return (*own, _CHECKED_FOR_SIZES if has_sizes else _UNCHECKED, *_ALWAYS)
+    return (*own, *_not_checked(outcome), *_ALWAYS)
+
+
+def _not_checked(outcome: DesignOutcome) -> Iterable[str]:
+    """Yield by name what the chosen design could not be held against."""
+    criteria = outcome.chosen.criteria if outcome.chosen else ()
+    names = [c.name for c in criteria if c.verdict is Verdict.NOT_CHECKED]
+    if names:
+        yield f"Not checked, for want of a limit or a load: {'; '.join(names)}."
 
 
 def _of_rundown(name: str, rundown: Rundown) -> Iterable[str]:

@@ -53,7 +53,7 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
     if chosen is None:
         yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
         for criterion in outcome.nearest_criteria:
-            if not criterion.passes:
+            if criterion.fails:
                 yield Text(_miss(criterion))
     else:
         yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])

@@ -4,12 +4,25 @@ from __future__ import annotations
 
 from rich.text import Text
 
-VERDICT_STYLES = {"PASS": "bold green", "FAIL": "bold red", "SKIPPED": "bold"}
+from coupling_design.design.performance import Verdict
+
+VERDICT_STYLES = {
+    "PASS": "bold green",
+    "FAIL": "bold red",
+    "SKIPPED": "bold",
+    "NOT CHECKED": "bold yellow",
+}
 
 
 def verdict(passes: bool) -> Text:
     """Return PASS or FAIL; the colour only repeats the word."""
     word = "PASS" if passes else "FAIL"
+    return Text(word, style=VERDICT_STYLES[word])
+
+
+def verdict_of(verdict: Verdict) -> Text:
+    """Return what became of a limit; the colour only repeats the word."""
+    word = verdict.value.upper()
     return Text(word, style=VERDICT_STYLES[word])
 
 

@@ -11,8 +11,8 @@ from coupling_design.design.candidate import Candidate
 from coupling_design.design.coupling_checks import (
     size_criteria,
     torque_criteria,
-    unchecked,
 )
+from coupling_design.design.performance import none_fails
 from coupling_design.design.results import (
     Alternative,
     Criterion,
@@ -110,7 +110,7 @@ def _size_criteria(
 
 
 def _all_pass(criteria: tuple[Criterion, ...]) -> bool:
-    return all(criterion.passes for criterion in criteria)
+    return none_fails(criteria)
 
 
 def _span(coupling_type: CouplingType) -> str:
@@ -122,12 +122,13 @@ def _span(coupling_type: CouplingType) -> str:
 
 def _alternative(size: CouplingSize, criteria: tuple[Criterion, ...]) -> Alternative:
     stiffness = f"{size.torsional_stiffness / 1e6:.4g} MN*m/rad"
-    failed = [c.name.partition(": ")[2] for c in criteria if not c.passes]
-    least = min(criteria, key=lambda criterion: criterion.margin)
+    failed = [c.name.partition(": ")[2] for c in criteria if c.fails]
+    margins = [(c.margin, c.name) for c in criteria if c.margin is not None]
+    margin, name = min(margins)
     told = (
         f"fails: {'; '.join(failed)}"
         if failed
-        else f"least to spare, {least.margin:.0%}: {least.name.partition(': ')[2]}"
+        else f"least to spare, {margin:.0%}: {name.partition(': ')[2]}"
     )
     return Alternative(size.name, not failed, None, f"{stiffness}; {told}")
 
@@ -147,19 +148,18 @@ def _findings(checked: list[_Checked]) -> Iterator[str]:
 
 def _caveats(case: Case) -> Iterator[str]:
     sizes = [size for each in case.coupling_types for size in each.sizes]
-    if not all(each.sizes for each in case.coupling_types):
-        whose = " for types without sizes" if sizes else ""
+    if not sizes:
+        return
+    whose = (
+        "Vibratory torque and power loss are those of a fired engine's orders"
+        if case.works_fired
+        else "Vibratory torque and power loss are those of the run-down's orders, "
+        "without fuel: the fired engine's are larger, state them in duty.excitation"
+    )
+    yield f"{whose}; orders are added up with their crests together."
+    if case.duty.short_circuit is not None:
         yield (
-            f"Vibratory torque T_KW and power loss P_KV are not checked{whose} here: "
-            "the case file gives neither."
-        )
-    for limit in ("T_KW", "P_KV"):
-        silent = [size.name for size in sizes if limit in unchecked(size)]
-        if silent:
-            yield f"The catalogue gives no {limit} for {', '.join(silent)}."
-    if sizes:
-        yield (
-            "Vibratory torque and power loss are those of the case's excitation, "
-            "orders added up with their crests together. Where that is of an engine "
-            "without fuel, the fired engine's is larger."
+            "The short circuit's torque in the coupling is the bound for an air-gap "
+            "torque that steps up and stays; of its parts at once and twice the grid's "
+            "frequency a soft coupling takes less."
         )

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coupling_design.case.case import ConnectionOption, Plan
+from coupling_design.case.case import Case, ConnectionOption, Plan
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import (
+    ISOLATION_RATIO,
+    deciding_orders,
     high_frequency_constraint,
     load_constraints,
 )
@@ -127,6 +129,22 @@ def _fail(state: FlowState, trials: list[_Trial]) -> FlowState:
     return state.after(_result(state, trials, nearest, Decision.FAIL), nearest=nearest)
 
 
+def _deciding(case: Case, frequency: float) -> str:
+    """Return which order makes the limit, and what small ones have to do with it."""
+    highest, strong = deciding_orders(case)
+    told = (
+        f"The highest excitation is {frequency / ISOLATION_RATIO:.2f} Hz, order "
+        f"{highest:g} at the highest working speed; sqrt 2 times it is "
+        f"{frequency:.2f} Hz."
+    )
+    if strong == highest:
+        return f"{told} No order above it is left out; it is not a small one."
+    return (
+        f"{told} Without the orders under 1 % of the largest amplitude it would be "
+        f"order {strong:g}, and the limit {frequency * strong / highest:.2f} Hz."
+    )
+
+
 def _result(
     state: FlowState,
     trials: list[_Trial],
@@ -144,9 +162,6 @@ def _result(
         if shown is None
         else tuple(limit.criterion(shown.performance) for limit in limits),
         alternatives=tuple(trial.alternative for trial in trials),
-        findings=(
-            f"The highest excitation is {frequency / 2**0.5:.2f} Hz; sqrt 2 times it "
-            f"is {frequency:.2f} Hz.",
-        ),
+        findings=(_deciding(state.case, frequency),),
         optimum=shown,
     )

@@ -163,7 +163,7 @@ def force_limits(outcome: DesignOutcome) -> Iterator[Limit]:
     forces: dict[str, float] = {}
     for step in outcome.steps:
         for criterion in step.criteria:
-            if criterion.name == PEAK_FORCE:
+            if criterion.name == PEAK_FORCE and criterion.limit is not None:
                 forces["limit"] = criterion.limit
     if outcome.strict_reading is not None:
         strict = outcome.strict_reading.permissible_transmission_force

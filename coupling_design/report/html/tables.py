@@ -51,8 +51,8 @@ def criteria_table(criteria: Sequence[Criterion]) -> Table:
     for criterion in criteria:
         value, limit = value_and_limit(criterion)
         unit = display_unit(criterion.unit)
-        margin = percent(criterion.margin)
-        verdict = _verdict(criterion.passes)
+        margin = "-" if criterion.margin is None else percent(criterion.margin)
+        verdict = criterion.verdict.upper()
         name, source = criterion.name, criterion.source
         rows.append((name, value, limit, margin, unit, verdict, source))
     headings = (
