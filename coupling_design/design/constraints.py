@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from coupling_design import arithmetic as op
 from coupling_design.arithmetic import Scalar
 from coupling_design.bearing.contact_stress import (
     minimum_load,
@@ -88,6 +89,22 @@ def high_frequency_constraint(case: Case) -> Constraint:
         unit="Hz",
         source="sqrt 2 times the highest excitation (paper, step 4)",
         needs_rollout=False,
+    )
+
+
+def survival_constraint() -> Constraint:
+    """Return: the Miner sum of one stop below 1, the end of the bearing's life.
+
+    Not the paper's: without it a bearing that dies within a stop could be recommended.
+    """
+    return Constraint(
+        name="damage of one stop, the bearing that suffers more",
+        quantity=lambda performance: op.maximum(*performance.damages),
+        limit=1.0,
+        sense=Sense.AT_MOST,
+        unit="",
+        source="below 1 the bearing survives the stop (Miner)",
+        is_of_damage=True,
     )
 
 

@@ -11,6 +11,7 @@ from coupling_design.design.constraints import (
     highest_excitation,
     isolation_constraints,
     load_constraints,
+    survival_constraint,
 )
 from coupling_design.design.results import Sense
 
@@ -55,9 +56,23 @@ def test_a_frequency_that_isolates_just_so_has_no_excess(paper, perform):
     assert order_4.excess(perform(frequency=25.0)) > 0
 
 
+def test_a_bearing_must_survive_the_stop(perform):
+    limit = survival_constraint()
+    assert limit.criterion(perform(damage=0.999)).passes
+    assert limit.criterion(perform(damage=1.001)).fails
+    assert limit.needs_rollout
+
+
 def test_the_papers_permissible_force(paper):
     (limit,) = load_constraints(paper, TRANSMISSION_FORCE)
     assert limit.limit == pytest.approx(36120.18, abs=0.005)
+    assert limit.needs_rollout
+
+
+def test_a_bearing_must_survive_the_stop(perform):
+    limit = survival_constraint()
+    assert limit.criterion(perform(damage=0.999)).passes
+    assert limit.criterion(perform(damage=1.001)).fails
     assert limit.needs_rollout
 
 

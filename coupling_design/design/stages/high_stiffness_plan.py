@@ -11,6 +11,7 @@ from coupling_design.design.constraints import (
     deciding_orders,
     high_frequency_constraint,
     load_constraints,
+    survival_constraint,
 )
 from coupling_design.design.problem import DesignSpace, Objective
 from coupling_design.design.results import (
@@ -79,12 +80,12 @@ def _examine(
     case, bench = state.case, state.bench
     candidate = Candidate(allowed.coupling_type, option)
     frequency = high_frequency_constraint(case)
-    loads = load_constraints(case)
+    loads = (survival_constraint(), *load_constraints(case))
     gap = gap_nearest_present(case, option)
     program = problem(
         bench,
         candidate,
-        DesignSpace(allowed.stiffness, (gap, gap)),
+        DesignSpace(allowed.stiffness_in(option.kind) or allowed.stiffness, (gap, gap)),
         Objective.STIFFNESS,
         (frequency, *loads),
     )
@@ -151,7 +152,11 @@ def _result(
     shown: Optimum | None,
     decision: Decision,
 ) -> StepResult:
-    limits = (high_frequency_constraint(state.case), *load_constraints(state.case))
+    limits = (
+        high_frequency_constraint(state.case),
+        survival_constraint(),
+        *load_constraints(state.case),
+    )
     frequency = limits[0].limit
     return StepResult(
         step=4,

@@ -96,10 +96,12 @@ def _examine(
     bench = state.bench
     candidate = Candidate(solution.allowed.coupling_type, option)
     largest = gap_nearest_present(state.case, option)
+    allowed = solution.allowed
+    stiffness = allowed.stiffness_in(option.kind) or allowed.stiffness
     program = problem(
         bench,
         candidate,
-        DesignSpace(solution.allowed.stiffness, (option.minimum_gap, largest)),
+        DesignSpace(stiffness, (option.minimum_gap, largest)),
         Objective.DAMAGE,
         solution.constraints,
     )

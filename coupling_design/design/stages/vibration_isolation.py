@@ -12,6 +12,7 @@ from coupling_design.design.results import Alternative, Decision, StepResult
 from coupling_design.design.state import (
     AllowedType,
     FlowState,
+    Span,
     options_of,
 )
 
@@ -25,9 +26,9 @@ QUESTION = (
 def check_vibration_isolation(state: FlowState) -> FlowState:
     """Return the state with the elastic types left, at the stiffness that isolates."""
     limits = isolation_constraints(state.case)
-    left = [(a, isolating_range(state, a)) for a in state.elastic]
+    left = [(a, isolating_ranges(state, a)) for a in state.elastic]
     allowed = tuple(
-        AllowedType(a.coupling_type, span) for a, span in left if span is not None
+        narrowed for a, spans in left if (narrowed := _narrowed(a, spans)) is not None
     )
     present = state.baseline.performance
     criteria = tuple(limit.criterion(present) for limit in limits)
@@ -37,7 +38,11 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
         question=QUESTION,
         decision=Decision.PASS if allowed else Decision.FAIL,
         criteria=criteria,
-        alternatives=tuple(_alternative(a, span) for a, span in left),
+        alternatives=tuple(
+            _alternative(candidate, span)
+            for _, spans in left
+            for candidate, span in spans
+        ),
         findings=_findings(state, none_fails(criteria)),
         caveats=(
             "The natural frequency is that of the undamped driveline with the gap "
@@ -47,18 +52,34 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
     return state.after(result, elastic=allowed)
 
 
-def isolating_range(
-    state: FlowState, allowed: AllowedType
-) -> tuple[float, float] | None:
+_Isolating = tuple[tuple[Candidate, Span | None], ...]
+
+
+def isolating_ranges(state: FlowState, allowed: AllowedType) -> _Isolating:
     """Return the part of a type's stiffness [N m/rad] that isolates, None if none.
 
-    In its tightest connection, where the natural frequency is highest.
+    In each connection it may have, the tightest last: there the natural frequency of a
+    coupling is highest and the range smallest.
     """
-    tightest = options_of(state.case, allowed.coupling_type)[-1]
-    evaluator = state.bench.evaluator(Candidate(allowed.coupling_type, tightest))
-    return reachable_stiffness(
-        evaluator, isolation_constraints(state.case), allowed.stiffness
+    limits = isolation_constraints(state.case)
+    candidates = [
+        Candidate(allowed.coupling_type, option)
+        for option in options_of(state.case, allowed.coupling_type)
+    ]
+    return tuple(
+        (each, reachable_stiffness(state.bench.evaluator(each), limits, span))
+        for each in candidates
+        if (span := allowed.stiffness_in(each.connection.kind)) is not None
     )
+
+
+def _narrowed(allowed: AllowedType, spans: _Isolating) -> AllowedType | None:
+    """Return a type with what isolates, None if it does so in no connection."""
+    left = [(each.connection.kind, span) for each, span in spans if span is not None]
+    if not left:
+        return None
+    lows, highs = zip(*(span for _, span in left), strict=True)
+    return AllowedType(allowed.coupling_type, (min(lows), max(highs)), tuple(left))
 
 
 def _findings(state: FlowState, present_passes: bool) -> tuple[str, ...]:
@@ -71,10 +92,10 @@ def _findings(state: FlowState, present_passes: bool) -> tuple[str, ...]:
     )
 
 
-def _alternative(allowed: AllowedType, span: tuple[float, float] | None) -> Alternative:
+def _alternative(candidate: Candidate, span: Span | None) -> Alternative:
     if span is None:
         remark = "isolates at no stiffness of its range"
     else:
         low, high = (stiffness / 1e6 for stiffness in span)
         remark = f"isolates from {low:.4g} to {high:.4g} MN*m/rad"
-    return Alternative(allowed.coupling_type.name, span is not None, None, remark)
+    return Alternative(candidate.label, span is not None, None, remark)
