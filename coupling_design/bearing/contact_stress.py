@@ -4,8 +4,8 @@ Sources
 -------
 [1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062,
     eq. (7) and Step 3 of its design flow.
-[2] Johnson (1985), Contact Mechanics, sections 4.2 and 4.3 (Hertz): the largest
-    pressure grows with load^(1/2) in a line contact, with load^(1/3) in a point's.
+[2] Johnson (1985), Contact Mechanics, 4.2: Hertz, the largest pressure goes with the
+    square root of the load on a line and with the cube root of that on a point.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from coupling_design.bearing.loads import (
     rotational_loads,
     static_loads,
 )
-from coupling_design.bearing.parameters import Bearing, BearingType, ShaftGeometry
+from coupling_design.bearing.parameters import Bearing, ShaftGeometry
 
 
 def contact_stress(load: Scalar, bearing: Bearing) -> Scalar:
@@ -36,13 +36,11 @@ def contact_stress(load: Scalar, bearing: Bearing) -> Scalar:
 
     Notes
     -----
-    [1] eq. (7) for rollers, whose contact is a line; balls touch in a point, [2]. Loads
-    below `SMALLEST_LOAD` count as `SMALLEST_LOAD`.
+    [1] eq. (7), S = K1 sqrt(F), the law of a line contact; of a point contact, as balls
+    have, S = K1 F^(1/3) [2]. Loads below `SMALLEST_LOAD` count as `SMALLEST_LOAD`.
     """
     K_1, F = bearing.stress_coefficient, op.maximum(load, SMALLEST_LOAD)
-    if bearing.type is BearingType.RADIAL_BALL:
-        return K_1 * F ** (1 / 3)
-    return K_1 * op.sqrt(F)
+    return K_1 * F ** (1 / bearing.contact.root)
 
 
 def minimum_load(bearing: Bearing) -> Scalar:
@@ -58,30 +56,10 @@ def minimum_load(bearing: Bearing) -> Scalar:
 
     Notes
     -----
-    [1] eq. (7) solved for F; for balls the law of a point contact, [2].
+    [1] eq. (7) solved for F; of a point contact [2], F = (S_min / K1)^3.
     """
     K_1, S_min = bearing.stress_coefficient, bearing.minimum_stress
-    if bearing.type is BearingType.RADIAL_BALL:
-        return (S_min / K_1) ** 3
-    return (S_min / K_1) ** 2
-
-
-def point_contact_coefficient(
-    stress_coefficient: Scalar, minimum_stress: Scalar
-) -> Scalar:
-    """Return the K1 of a point contact that has the load limit of a line's.
-
-    Parameters
-    ----------
-    stress_coefficient : K1 of S = K1 sqrt(F) [Pa/N^0.5]
-    minimum_stress : S_min [Pa]
-
-    Returns
-    -------
-    K1 of S = K1 F^(1/3) [Pa/N^(1/3)]: S_min / F_min^(1/3) with F_min = (S_min / K1)^2
-    """
-    K_1, S_min = stress_coefficient, minimum_stress
-    return S_min ** (1 / 3) * K_1 ** (2 / 3)
+    return (S_min / K_1) ** bearing.contact.root
 
 
 def permissible_transmission_force(
@@ -124,9 +102,8 @@ def strict_transmission_force(
 
     Notes
     -----
-    [1] eqs. (4) to (7) taken together, the size of the lever included: F_c turns, so
-    that of either sign it comes in line with gravity. A bearing without a lever (hub in
-    the plane of bearing 1) permits any force.
+    [1] eqs. (4) to (7) taken together, lever included. A bearing without a lever (hub
+    in the plane of bearing 1) permits any force.
     """
     levers = [op.absolute(lever) for lever in rotational_loads(1.0, shaft)]
     reserves = _load_reserves(shaft, bearings)

@@ -43,6 +43,18 @@ class OilCleanliness(StrEnum):
     UNFILTERED_21_18 = "oil_unfiltered_21_18"
 
 
+class Contact(StrEnum):
+    """How the stress of a contact grows with its load: by Hertz, a root of it."""
+
+    LINE = "line"  # square root: rollers
+    POINT = "point"  # cube root: balls
+
+    @property
+    def root(self) -> int:
+        """Which root of the load."""
+        return 2 if self is Contact.LINE else 3
+
+
 @dataclass(frozen=True)
 class ShaftGeometry:
     """Overhung shaft: l1 hub to bearing 1, l2, l3 bearings to rotor [m], G [N]."""
@@ -64,9 +76,10 @@ class Bearing:
     dynamic_load_rating : C_r [N]
     static_load_rating : C_0 [N]
     pitch_diameter : D_pw [m]
-    stress_coefficient : K1, of a roller bearing in S = K1 F^(1/2) [Pa/N^0.5], of a ball
-        bearing in S = K1 F^(1/3) [Pa/N^(1/3)]
+    stress_coefficient : K1 in S = K1 sqrt(F) [Pa/sqrt(N)], or of a point contact in
+        S = K1 F^(1/3) [Pa/N^(1/3)]
     minimum_stress : S_min, below which fatigue is neglected [Pa]
+    contact : which of the two laws
     """
 
     name: str
@@ -77,6 +90,12 @@ class Bearing:
     pitch_diameter: Scalar
     stress_coefficient: Scalar
     minimum_stress: Scalar
+    contact: Contact = Contact.LINE
+
+    @property
+    def is_a_ball_by_the_line_law(self) -> bool:
+        """Whether its stress is counted by the law of rollers although it has balls."""
+        return self.type is BearingType.RADIAL_BALL and self.contact is Contact.LINE
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
+from coupling_design.bearing.parameters import (
+    Bearing,
+    Contact,
+    Lubrication,
+    ShaftGeometry,
+)
 from coupling_design.case.build_coupling import build_damping_law
 from coupling_design.case.build_engine import at_work, excitation_of
 from coupling_design.case.build_shutdown import build_shutdown
@@ -22,6 +27,7 @@ from coupling_design.case.engine_schema import (
     EngineMode,
     WorkingEngineExcitation,
 )
+from coupling_design.case.kinds import STRESS_COEFFICIENT
 from coupling_design.case.schema import (
     BearingSection,
     CaseSection,
@@ -34,7 +40,6 @@ from coupling_design.case.schema import (
     ShortCircuitSection,
 )
 from coupling_design.case.stated import Stated
-from coupling_design.case.stress_coefficient import coefficient_of
 from coupling_design.driveline.parameters import (
     Connection,
     Coupling,
@@ -62,7 +67,10 @@ def build_case(
     excitation, derived = _excitation(section.driveline, file)
     working, also_derived = _working_excitation(section, file)
     joint = _joint(section.driveline.connection)
-    first, second = map(_bearing, section.bearings)
+    first, second = (
+        _bearing(bearing, f"bearings[{k}]", provenance)
+        for k, bearing in enumerate(section.bearings)
+    )
     return Case(
         name=section.name,
         description=section.description,
@@ -90,6 +98,16 @@ def build_case(
     )
 
 
+def _bearing(
+    section: BearingSection, path: str, provenance: tuple[SourcedValue, ...]
+) -> Bearing:
+    """Return a bearing; the unit of its stress coefficient says which law it has."""
+    units = {value.path: value.unit for value in provenance}
+    is_line = units[f"{path}.stress_coefficient"] == STRESS_COEFFICIENT.unit
+    contact = Contact.LINE if is_line else Contact.POINT
+    return Bearing(**section.model_dump(), contact=contact)
+
+
 def _coupling_types(
     section: CaseSection,
     catalogues: Catalogues,
@@ -100,15 +118,6 @@ def _coupling_types(
         *(_coupling_type(entry) for entry in section.coupling_types),
         *(offered(series, kinds) for series in catalogues.types),
     )
-
-
-def _bearing(section: BearingSection) -> Bearing:
-    coefficient = coefficient_of(
-        section.stress_coefficient.value,
-        section.type.value,
-        section.minimum_stress.value,
-    )
-    return Bearing(**{**section.model_dump(), "stress_coefficient": coefficient})
 
 
 def _lubrication(section: LubricationSection) -> Lubrication:

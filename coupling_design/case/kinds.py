@@ -6,7 +6,6 @@ import math
 from typing import Annotated
 
 from coupling_design.case.quantity import Kind, KindOrWord
-from coupling_design.case.root_kind import RootKind
 
 FACTOR = Kind(
     "a plain number",
@@ -55,8 +54,11 @@ PRESSURE = Kind(
 PROBABILITY = Kind("a probability", "", "99 %")
 STIFFNESS = Kind("a torsional stiffness", "N*m/rad", "0.347 MN*m/rad")
 STRESS = Kind("a stress", "Pa", "800 MPa")
-STRESS_COEFFICIENT = RootKind(
-    "a stress per root of force", "Pa/N^0.5", "3.62 MPa/N^0.5 or 93.3 MPa/N^(1/3)"
+STRESS_COEFFICIENT = Kind(
+    "a stress per root of force",
+    "Pa/N^0.5",
+    "3.62 MPa/N^0.5 or 93.4 MPa/N^(1/3)",
+    other_unit="Pa/N^(1/3)",
 )
 TIME = Kind("a time", "s", "12 s")
 CUT_TIME = KindOrWord(

@@ -11,7 +11,6 @@ from coupling_design.case.case import SourcedValue
 from coupling_design.case.document import Document
 from coupling_design.case.problem import Path, dotted
 from coupling_design.case.quantity import Kind
-from coupling_design.case.root_kind import WrittenCoefficient
 from coupling_design.case.stated import Stated
 
 
@@ -22,7 +21,7 @@ def list_provenance(section: BaseModel, document: Document) -> tuple[SourcedValu
             path=dotted(path),
             text=_text(document, path),
             value=_value(stated),
-            unit=_unit(stated),
+            unit=_unit(stated, _text(document, path)),
             source=stated.source,
             note=stated.note,
         )
@@ -58,8 +57,7 @@ def _value(stated: Stated[Any]) -> float | str:
     return value
 
 
-def _unit(stated: Stated[Any]) -> str:
-    if isinstance(stated.value, WrittenCoefficient):
-        return stated.value.unit
+def _unit(stated: Stated[Any], text: str) -> str:
     metadata = type(stated).model_fields["value"].metadata
-    return next((item.unit for item in metadata if isinstance(item, Kind)), "")
+    kinds = (item for item in metadata if isinstance(item, Kind))
+    return next((kind.unit_of(text) for kind in kinds), "")

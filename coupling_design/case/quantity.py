@@ -40,6 +40,15 @@ class Kind:
     upper: float = math.inf
     excludes_lower: bool = False
     remark: str = ""
+    other_unit: str = ""  # a second SI unit that says the same of another law
+
+    def unit_of(self, written: str) -> str:
+        """Return the SI unit of a text that `parse` takes: `unit`, or the other one."""
+        match = _WRITTEN.fullmatch(written) if self.other_unit else None
+        own = match and match["unit"].strip()
+        if own and to_si(1.0, own, self.unit) is None:
+            return self.other_unit
+        return self.unit
 
     def positive(self) -> Kind:
         """Return this kind restricted to values above zero."""
@@ -97,6 +106,8 @@ class Kind:
                 f"{error}; write {self.name} as a number and a unit, "
                 f"such as {self.example}"
             ) from None
+        if converted is None and self.other_unit:
+            converted = to_si(number, unit, self.other_unit)
         if converted is None:
             raise QuantityError(self._wrong_dimension(unit))
         return converted

@@ -27,7 +27,6 @@ from coupling_design.case.kinds import (
 )
 from coupling_design.case.problem import Path, Problem
 from coupling_design.case.quantity import exceeds
-from coupling_design.case.stress_coefficient import check_stress_coefficients
 from coupling_design.case.values import Values, check_ordered, check_unique
 
 _MOST_STEPS = 10_000_000
@@ -44,7 +43,6 @@ def check_relations(
     yield from _shutdown(values)
     yield from _chances(values)
     yield from _reliability(values)
-    yield from check_stress_coefficients(values)
     yield from check_engine(values, document.file)
     yield from check_working_engine(values, document.file)
     series = [series.name for series in catalogues.types]

@@ -12,6 +12,11 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
+from coupling_design.driveline.parameters import (
+    FuelCutStart,
+    QuasiSteadyStart,
+    Shutdown,
+)
 from coupling_design.driveline.settled_state import period_of
 
 # Of the golden section: a lattice of this slope fills the square most evenly.
@@ -29,6 +34,7 @@ class Spread:
     peak_transmission_force : [N]
     mean_peak : mean of that force [N]
     worst : place of the run-down with the largest peak force
+    final_speed : of whatever turns fastest when the run-downs end [rad/s]
     repeats : whether the settled vibration they start from is periodic
     """
 
@@ -37,6 +43,7 @@ class Spread:
     peak_transmission_force: tuple[float, float]
     mean_peak: float
     worst: int
+    final_speed: float = 0.0
     repeats: bool = True
 
 
@@ -57,6 +64,19 @@ def chances(case: Case, n: int) -> FloatArray:
             float(shutdown.gravity_angle) + 2 * math.pi * (leap * place % n) / n,
         ]
     )
+
+
+def describe_start(shutdown: Shutdown) -> str:
+    """Return what the line does when the run-down begins."""
+    match shutdown.start:
+        case FuelCutStart(duration=0.0):
+            return "settled at idle, the fuel's mean torque gone at once"
+        case FuelCutStart(duration=duration):
+            over = f"taken away over {duration:.3g} s"
+            return f"settled at idle, the fuel's mean torque {over}"
+        case QuasiSteadyStart():
+            return "turning evenly, twisted by the mean deceleration, no vibration yet"
+    return "settled vibration of the engine turned without fuel"
 
 
 def _nearest(value: float) -> list[int]:

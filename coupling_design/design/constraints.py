@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import math
 
-from coupling_design import arithmetic as op
-from coupling_design.arithmetic import Scalar
+from coupling_design.arithmetic import Scalar, maximum
 from coupling_design.bearing.contact_stress import (
     minimum_load,
     permissible_transmission_force,
@@ -92,22 +91,6 @@ def high_frequency_constraint(case: Case) -> Constraint:
     )
 
 
-def survival_constraint() -> Constraint:
-    """Return: the Miner sum of one stop below 1, the end of the bearing's life.
-
-    Not the paper's: without it a bearing that dies within a stop could be recommended.
-    """
-    return Constraint(
-        name="damage of one stop, the bearing that suffers more",
-        quantity=lambda performance: op.maximum(*performance.damages),
-        limit=1.0,
-        sense=Sense.AT_MOST,
-        unit="",
-        source="below 1 the bearing survives the stop (Miner)",
-        is_of_damage=True,
-    )
-
-
 def load_constraints(
     case: Case, reading: LoadLimitReading | None = None
 ) -> tuple[Constraint, ...]:
@@ -115,6 +98,18 @@ def load_constraints(
     if (reading or case.reading) is LoadLimitReading.TRANSMISSION_FORCE:
         return (_transmission_force(case),)
     return tuple(_combined_load(case, k) for k in range(len(case.bearings)))
+
+
+def life_constraint() -> Constraint:
+    """Return: one stop spends less than a whole life of either bearing."""
+    return Constraint(
+        name="damage of one stop",
+        quantity=lambda performance: maximum(*performance.damages),
+        limit=1.0,
+        sense=Sense.AT_MOST,
+        unit="",
+        source="Miner's sum: 1 is a whole bearing life",
+    )
 
 
 def _transmission_force(case: Case) -> Constraint:
@@ -136,5 +131,6 @@ def _combined_load(case: Case, k: int) -> Constraint:
         limit=float(minimum_load(bearing)),
         sense=Sense.AT_MOST,
         unit="N",
-        source="F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
+        source=f"F_min = (S_min / K1)^{bearing.contact.root} (eq. 7; with the shaft's "
+        "lever)",
     )

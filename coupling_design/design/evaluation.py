@@ -117,7 +117,10 @@ class Evaluator(PointReader):
             totals = ends[-len(TOTALS) :, i * n : (i + 1) * n]
             self._check(totals, point)
             repeats = point not in self._unsettled
-            spread = None if self.is_scan else spread_of(totals, repeats=repeats)
+            speeds = ends[self.run_downs.speeds, i * n : (i + 1) * n]
+            spread = (
+                None if self.is_scan else spread_of(totals, speeds, repeats=repeats)
+            )
             judged = over_chance(totals).tolist()
             found.append(performance_of(*point, f, judged, spread))
         return tuple(found)

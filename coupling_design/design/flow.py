@@ -19,6 +19,7 @@ from coupling_design.design.constraints import load_constraints
 from coupling_design.design.coupling_checks import size_criteria, torque_criteria
 from coupling_design.design.discrete import choose_size, settle
 from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.fatigue_limits import fatigue_limits
 from coupling_design.design.histories import (
     chosen_plane,
     rundown_history,
@@ -131,6 +132,7 @@ def _outcome(state: FlowState, began: float) -> DesignOutcome:
         coarse_rollouts=bench.coarse_rollouts,
         run_time=time.perf_counter() - began,
         catalogue_choice=choice,
+        fatigue_limits=fatigue_limits(case),
     )
 
 

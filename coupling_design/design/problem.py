@@ -36,7 +36,7 @@ class Constraint:
     """A named limit on what a design does.
 
     `quantity` reads the value from a performance of numbers or symbols; `unit` is SI.
-    A limit on the natural frequency alone needs no rollout; one of damage is no load.
+    A limit on the natural frequency alone needs no rollout.
     """
 
     name: str
@@ -46,7 +46,6 @@ class Constraint:
     unit: str
     source: str
     needs_rollout: bool = True
-    is_of_damage: bool = False
 
     def excess(self, performance: Performance) -> Scalar:
         """Return how far the limit is exceeded, relative to it; negative inside."""

@@ -7,6 +7,7 @@ from enum import StrEnum
 
 from coupling_design.case.case import Case, Plan, SourcedValue
 from coupling_design.design.catalogue_choice import CatalogueChoice
+from coupling_design.design.fatigue_limits import FatigueLimits
 from coupling_design.design.performance import Criterion as Criterion
 from coupling_design.design.performance import Performance as Performance
 from coupling_design.design.performance import Sense as Sense
@@ -58,6 +59,7 @@ class Optimum:
     rollouts : evaluations of all starts together
     kkt_residual : largest entry of the scaled Lagrangian's gradient at the point [-]
     active_constraints : names of constraints and bounds that hold the point
+    held_by : the same in words, or that the objective goes on falling
     conditioning : how firmly its damage stands
     """
 
@@ -73,6 +75,7 @@ class Optimum:
     rollouts: int
     kkt_residual: float | None
     active_constraints: tuple[str, ...]
+    held_by: str
     conditioning: Conditioning | None
 
 
@@ -244,5 +247,6 @@ class DesignOutcome:
     run_time: float
     coarse_rollouts: int = 0
     catalogue_choice: CatalogueChoice | None = None
+    fatigue_limits: tuple[FatigueLimits, ...] = ()
     histories: tuple[RundownHistory, ...] = field(default=(), compare=False, repr=False)
     chosen_map: DesignMap | None = None

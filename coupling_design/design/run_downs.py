@@ -20,6 +20,7 @@ from coupling_design.design.variables import (
     Variables,
     make_variables,
 )
+from coupling_design.driveline.dynamics import inertias
 from coupling_design.driveline.history import History, history_of
 from coupling_design.driveline.parameters import Start
 from coupling_design.driveline.start import StartingStates
@@ -112,6 +113,12 @@ class RunDowns:
     def variables(self) -> Variables:
         """The vector whose values make a run-down."""
         return make_variables(self.case, self.candidate)
+
+    @cached_property
+    def speeds(self) -> slice:
+        """Where the speeds stand in a joint state."""
+        n = len(inertias(self.variables.driveline))
+        return slice(n, 2 * n)
 
     @cached_property
     def step(self) -> ca.Function:

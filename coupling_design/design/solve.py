@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from coupling_design.design.activity import active_constraints
+from coupling_design.design.activity import active_constraints, what_holds
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.problem import DesignProblem
 from coupling_design.design.results import Optimum, Performance
@@ -88,6 +88,7 @@ def optimise(
         rollouts=rollouts,
         kkt_residual=end.residual if by_ipopt else None,
         active_constraints=active_constraints(problem, winner),
+        held_by=what_holds(problem, winner),
         conditioning=conditioning(problem.evaluator, winner),
     )
 

@@ -17,27 +17,13 @@ from coupling_design.design.results import Baseline, Optimum, StepResult
 from coupling_design.design.search import Workbench
 from coupling_design.design.survey import Survey
 
-Span = tuple[float, float]
-
 
 @dataclass(frozen=True)
 class AllowedType:
-    """A coupling type still in the running, with the stiffness left to it [N m/rad].
-
-    A key is a spring in series: the softer the connection, the stiffer the coupling may
-    be. `by_connection` holds what is left in each; where it is empty, connections make
-    no difference and `stiffness` is left in all.
-    """
+    """A coupling type still in the running, with the stiffness left to it [N m/rad]."""
 
     coupling_type: CouplingType
-    stiffness: Span
-    by_connection: tuple[tuple[ConnectionKind, Span], ...] = ()
-
-    def stiffness_in(self, kind: ConnectionKind) -> Span | None:
-        """Return what is left in a kind of connection, None if nothing is."""
-        if not self.by_connection:
-            return self.stiffness
-        return dict(self.by_connection).get(kind)
+    stiffness: tuple[float, float]
 
 
 @dataclass(frozen=True)

@@ -34,10 +34,13 @@ def over_chance(totals: FloatArray, *slopes: FloatArray) -> FloatArray:
     return np.stack(judged, axis=1) if slopes else judged[0]
 
 
-def spread_of(totals: FloatArray, *, repeats: bool = True) -> Spread:
+def spread_of(
+    totals: FloatArray, final_speeds: FloatArray, *, repeats: bool = True
+) -> Spread:
     """Return how far totals (n_totals, n) reach over their n run-downs.
 
-    `repeats` is whether the vibration they start from is periodic.
+    `final_speeds` (n_masses, n) are those at their ends [rad/s]; `repeats` is whether
+    the vibration they start from is periodic.
     """
     lowest, highest = totals.min(axis=1).tolist(), totals.max(axis=1).tolist()
     return Spread(
@@ -46,5 +49,6 @@ def spread_of(totals: FloatArray, *, repeats: bool = True) -> Spread:
         peak_transmission_force=(lowest[_PEAK_FORCE], highest[_PEAK_FORCE]),
         mean_peak=float(totals[_PEAK_FORCE].mean()),
         worst=int(totals[_PEAK_FORCE].argmax()),
+        final_speed=float(np.abs(final_speeds).max()),
         repeats=repeats,
     )

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from coupling_design.design.activity import active_constraints
+from coupling_design.design.activity import active_constraints, what_holds
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.problem import DesignProblem
@@ -53,6 +53,7 @@ def smallest_load(
         rollouts=rollouts,
         kkt_residual=None,
         active_constraints=active_constraints(problem, winner),
+        held_by=what_holds(problem, winner),
         conditioning=conditioning(problem.evaluator, winner),
     )
 

@@ -8,12 +8,6 @@ from coupling_design.case.case import Case
 from coupling_design.design.performance import Performance
 from coupling_design.design.results import ChosenDesign
 from coupling_design.design.sensitivity import Sensitivity
-from coupling_design.driveline.parameters import (
-    FuelCutStart,
-    QuasiSteadyStart,
-    Shutdown,
-)
-from coupling_design.report.numbers import significant
 from coupling_design.report.units import quantity
 
 CHAOTIC = (
@@ -24,19 +18,6 @@ _UNSETTLED = (
     " Before it the key rattles without a period at the initial speed: the start is "
     "that after 200 periods, and stands for no other."
 )
-
-
-def describe_start(shutdown: Shutdown) -> str:
-    """Return what the line does when the run-down begins."""
-    match shutdown.start:
-        case FuelCutStart(duration=0.0):
-            return "settled at idle, the fuel's mean torque gone at once"
-        case FuelCutStart(duration=duration):
-            over = significant(duration, 3)
-            return f"settled at idle, the fuel's mean torque taken away over {over} s"
-        case QuasiSteadyStart():
-            return "turning evenly, twisted by the mean deceleration, no vibration yet"
-    return "settled vibration of the engine turned without fuel"
 
 
 def describe_chances(performance: Performance) -> str:

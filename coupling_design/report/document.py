@@ -94,6 +94,7 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
         "nearest": None if outcome.nearest is None else _optimum(outcome.nearest),
         "nearest_criteria": [criterion_part(c) for c in outcome.nearest_criteria],
         "strict_reading": None if strict is None else _reading(strict),
+        "fatigue_limits": [asdict(each) for each in outcome.fatigue_limits],
         "catalogue_choice": None if choice is None else catalogue_part(choice),
         "assumptions": [asdict(value) for value in outcome.assumptions],
         "engine": outcome.engine,
@@ -204,6 +205,7 @@ def _optimum(optimum: Optimum) -> dict[str, Any]:
         "rollouts": optimum.rollouts,
         "kkt_residual": optimum.kkt_residual,
         "active_constraints": list(optimum.active_constraints),
+        "held_by": optimum.held_by,
         "conditioning": None if conditioning is None else asdict(conditioning),
     }
 

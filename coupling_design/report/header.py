@@ -9,9 +9,9 @@ from rich.text import Text
 
 from coupling_design import __version__
 from coupling_design.case.case import Case, LoadLimitReading
+from coupling_design.design.chance import describe_start
 from coupling_design.design.results import DesignOutcome
 from coupling_design.report.blocks import facts, panel, titled
-from coupling_design.report.chances import describe_start
 from coupling_design.report.units import as_given
 from coupling_design.report.verdicts import render_verdict
 

@@ -51,6 +51,18 @@ def render_optimum(optimum: Optimum) -> Group:
     )
 
 
+def _agreement(optimum: Optimum) -> Iterable[tuple[str, str]]:
+    """Yield what was compared: ends of starts, or valleys of which one is the lowest."""
+    if optimum.method == "bounded search":
+        others = optimum.starts - optimum.starts_agreeing
+        yield (
+            "valleys",
+            f"{optimum.starts} of the smallest load compared; {others} are higher",
+        )
+    else:
+        yield "starts agreed", f"{optimum.starts_agreeing} of {optimum.starts}"
+
+
 def describe_conditioning(conditioning: Conditioning) -> str:
     """Return how far damage and peak move, and how many digits that leaves."""
     by_start = change(conditioning.damage_change_by_start)
@@ -75,12 +87,11 @@ def evidence(optimum: Optimum, digits: int | None) -> Iterable[tuple[str, str]]:
     else:
         yield "method", "Ipopt" if optimum.method == "ipopt" else optimum.method
     yield "solver status", optimum.solver_status
-    yield "starts agreed", f"{optimum.starts_agreeing} of {optimum.starts}"
+    yield from _agreement(optimum)
     yield "effort", f"{optimum.scan_points} scan points, {optimum.rollouts} rollouts"
     residual = optimum.kkt_residual
     yield "KKT residual", "not available" if residual is None else change(residual)[1:]
-    held = "; ".join(optimum.active_constraints)
-    yield "held by", held or "no constraint and no bound: an inner minimum"
+    yield "held by", optimum.held_by
     if optimum.conditioning is None:
         yield "conditioning", "not examined for this point"
     else:

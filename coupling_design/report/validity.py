@@ -6,9 +6,11 @@ from collections.abc import Iterable
 
 from rich.panel import Panel
 
+from coupling_design.design.fatigue_limits import FatigueLimits
 from coupling_design.design.results import DesignOutcome, Rundown, Verdict
 from coupling_design.report.blocks import bullets, panel
 from coupling_design.report.numbers import significant
+from coupling_design.report.units import quantity
 
 _ALWAYS = (
     "Damage is the Miner sum of one run-down as described by the case: multiply by the "
@@ -17,7 +19,7 @@ _ALWAYS = (
     "Three inertias, one coupling, one connection; the gap is smoothed by tanh. No "
     "misalignment, unbalance, bending or gas torque of a fired engine.",
     "Life after ISO 281:2007 with a_ISO for the load of each moment; bearing loads by "
-    "statics of the overhung shaft, a rigid lever that turns bearing 2's load over.",
+    "statics of the overhung shaft.",
     "The result is as good as the case file. It replaces neither the coupling maker's "
     "approval nor a torsional vibration calculation of the classification society.",
 )
@@ -34,7 +36,25 @@ def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
     own = list(_of_rundown("Present", outcome.baseline.rundown))
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
-    return (*own, *_not_checked(outcome), *_ALWAYS)
+    limits = map(_two_limits, outcome.fatigue_limits)
+    return (*own, *_not_checked(outcome), *limits, *_ALWAYS)
+
+
+def _two_limits(limits: FatigueLimits) -> str:
+    """Return which of a bearing's two fatigue limits decides, and why they differ."""
+    F_min, C_u = (quantity(each, "N") for each in (limits.minimum_load, limits.C_u))
+    told = (
+        f"{limits.bearing}: F_min {F_min} kN, from S_min and K1, and C_u {C_u} kN, "
+        "from C_0 (ISO 281), are both fatigue limits of one bearing. F_min decides, by "
+        "the method; C_u stands in the life. K1 takes stress to grow with the load's "
+        f"{limits.law}."
+    )
+    if limits.is_a_ball_by_the_line_law:
+        told += (
+            " It has balls, whose stress goes with the cube root: write K1 in "
+            "MPa/N^(1/3), which is S_min / F_min^(1/3)."
+        )
+    return told
 
 
 def _not_checked(outcome: DesignOutcome) -> Iterable[str]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from coupling_design.case.case import Case, ConnectionOption, Plan
+from coupling_design.case.case import Case, Plan
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import (
     isolation_constraints,
+    life_constraint,
     load_constraints,
-    survival_constraint,
 )
 from coupling_design.design.problem import (
     Constraint,
@@ -17,6 +17,7 @@ from coupling_design.design.problem import (
     DesignSpace,
     Objective,
 )
+from coupling_design.design.reach import reachable_stiffness
 from coupling_design.design.results import (
     Alternative,
     Decision,
@@ -28,7 +29,7 @@ from coupling_design.design.state import (
     AllowedType,
     FlowState,
     Solution,
-    Span,
+    connection_option,
     gap_nearest_present,
     options_of,
 )
@@ -82,13 +83,19 @@ class _Trial:
 
 def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     case, bench = state.case, state.bench
-    option, stiffness = _examined(case, allowed)
+    kinds = allowed.coupling_type.connections
+    present = case.present_connection
+    option = (
+        connection_option(case, present)
+        if present in kinds
+        else options_of(case, allowed.coupling_type)[0]
+    )
     gap = gap_nearest_present(case, option)
     candidate = Candidate(allowed.coupling_type, option)
-    space = DesignSpace(stiffness, (gap, gap))
     limits = _limits(case)
-    loads = tuple(limit for limit in limits if not limit.is_of_damage)
-    least_load = problem(bench, candidate, space, Objective.PEAK, loads)
+    own = reachable_stiffness(bench.evaluator(candidate), limits, allowed.stiffness)
+    space = DesignSpace(own or allowed.stiffness, (gap, gap))
+    least_load = problem(bench, candidate, space, Objective.PEAK, limits)
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
@@ -114,23 +121,8 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     return replace(trial, optimum=best, solution=solution)
 
 
-def _examined(case: Case, allowed: AllowedType) -> tuple[ConnectionOption, Span]:
-    """Return the connection a type is examined in, and what isolates there.
-
-    The present one, or else the loosest that isolates.
-    """
-    options = options_of(case, allowed.coupling_type)
-    present_first = sorted(options, key=lambda o: o.kind is not case.present_connection)
-    return next(
-        (option, span)
-        for option in present_first
-        if (span := allowed.stiffness_in(option.kind)) is not None
-    )
-
-
 def _limits(case: Case) -> tuple[Constraint, ...]:
-    isolation, loads = isolation_constraints(case), load_constraints(case)
-    return (*isolation, survival_constraint(), *loads)
+    return (*isolation_constraints(case), *load_constraints(case), life_constraint())
 
 
 def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -> str:

@@ -10,8 +10,8 @@ from coupling_design.design.constraints import (
     ISOLATION_RATIO,
     deciding_orders,
     high_frequency_constraint,
+    life_constraint,
     load_constraints,
-    survival_constraint,
 )
 from coupling_design.design.problem import DesignSpace, Objective
 from coupling_design.design.results import (
@@ -80,12 +80,12 @@ def _examine(
     case, bench = state.case, state.bench
     candidate = Candidate(allowed.coupling_type, option)
     frequency = high_frequency_constraint(case)
-    loads = (survival_constraint(), *load_constraints(case))
+    loads = (*load_constraints(case), life_constraint())
     gap = gap_nearest_present(case, option)
     program = problem(
         bench,
         candidate,
-        DesignSpace(allowed.stiffness_in(option.kind) or allowed.stiffness, (gap, gap)),
+        DesignSpace(allowed.stiffness, (gap, gap)),
         Objective.STIFFNESS,
         (frequency, *loads),
     )
@@ -154,8 +154,8 @@ def _result(
 ) -> StepResult:
     limits = (
         high_frequency_constraint(state.case),
-        survival_constraint(),
         *load_constraints(state.case),
+        life_constraint(),
     )
     frequency = limits[0].limit
     return StepResult(

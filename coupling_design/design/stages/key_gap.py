@@ -96,12 +96,10 @@ def _examine(
     bench = state.bench
     candidate = Candidate(solution.allowed.coupling_type, option)
     largest = gap_nearest_present(state.case, option)
-    allowed = solution.allowed
-    stiffness = allowed.stiffness_in(option.kind) or allowed.stiffness
     program = problem(
         bench,
         candidate,
-        DesignSpace(stiffness, (option.minimum_gap, largest)),
+        DesignSpace(solution.allowed.stiffness, (option.minimum_gap, largest)),
         Objective.DAMAGE,
         solution.constraints,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import isolation_constraints
@@ -12,7 +13,6 @@ from coupling_design.design.results import Alternative, Decision, StepResult
 from coupling_design.design.state import (
     AllowedType,
     FlowState,
-    Span,
     options_of,
 )
 
@@ -28,7 +28,9 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
     limits = isolation_constraints(state.case)
     left = [(a, isolating_ranges(state, a)) for a in state.elastic]
     allowed = tuple(
-        narrowed for a, spans in left if (narrowed := _narrowed(a, spans)) is not None
+        AllowedType(a.coupling_type, _hull(spans.values()))
+        for a, spans in left
+        if spans
     )
     present = state.baseline.performance
     criteria = tuple(limit.criterion(present) for limit in limits)
@@ -38,11 +40,7 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
         question=QUESTION,
         decision=Decision.PASS if allowed else Decision.FAIL,
         criteria=criteria,
-        alternatives=tuple(
-            _alternative(candidate, span)
-            for _, spans in left
-            for candidate, span in spans
-        ),
+        alternatives=tuple(_alternative(a, spans) for a, spans in left),
         findings=_findings(state, none_fails(criteria)),
         caveats=(
             "The natural frequency is that of the undamped driveline with the gap "
@@ -52,34 +50,29 @@ def check_vibration_isolation(state: FlowState) -> FlowState:
     return state.after(result, elastic=allowed)
 
 
-_Isolating = tuple[tuple[Candidate, Span | None], ...]
+def isolating_ranges(
+    state: FlowState, allowed: AllowedType
+) -> dict[str, tuple[float, float]]:
+    """Return the part of a type's stiffness [N m/rad] that isolates, by connection.
 
-
-def isolating_ranges(state: FlowState, allowed: AllowedType) -> _Isolating:
-    """Return the part of a type's stiffness [N m/rad] that isolates, None if none.
-
-    In each connection it may have, the tightest last: there the natural frequency of a
-    coupling is highest and the range smallest.
+    A key is a spring in series: with it a stiffer coupling still isolates. Connections
+    in which no stiffness does are left out.
     """
-    limits = isolation_constraints(state.case)
-    candidates = [
-        Candidate(allowed.coupling_type, option)
-        for option in options_of(state.case, allowed.coupling_type)
-    ]
-    return tuple(
-        (each, reachable_stiffness(state.bench.evaluator(each), limits, span))
-        for each in candidates
-        if (span := allowed.stiffness_in(each.connection.kind)) is not None
-    )
+    found = {}
+    for option in options_of(state.case, allowed.coupling_type):
+        evaluator = state.bench.evaluator(Candidate(allowed.coupling_type, option))
+        span = reachable_stiffness(
+            evaluator, isolation_constraints(state.case), allowed.stiffness
+        )
+        if span is not None:
+            found[option.kind.value] = span
+    return found
 
 
-def _narrowed(allowed: AllowedType, spans: _Isolating) -> AllowedType | None:
-    """Return a type with what isolates, None if it does so in no connection."""
-    left = [(each.connection.kind, span) for each, span in spans if span is not None]
-    if not left:
-        return None
-    lows, highs = zip(*(span for _, span in left), strict=True)
-    return AllowedType(allowed.coupling_type, (min(lows), max(highs)), tuple(left))
+def _hull(spans: Iterable[tuple[float, float]]) -> tuple[float, float]:
+    """Return what any connection allows; each keeps its own limit afterwards."""
+    lows, highs = zip(*spans, strict=True)
+    return min(lows), max(highs)
 
 
 def _findings(state: FlowState, present_passes: bool) -> tuple[str, ...]:
@@ -92,10 +85,15 @@ def _findings(state: FlowState, present_passes: bool) -> tuple[str, ...]:
     )
 
 
-def _alternative(candidate: Candidate, span: Span | None) -> Alternative:
-    if span is None:
-        remark = "isolates at no stiffness of its range"
-    else:
-        low, high = (stiffness / 1e6 for stiffness in span)
-        remark = f"isolates from {low:.4g} to {high:.4g} MN*m/rad"
-    return Alternative(candidate.label, span is not None, None, remark)
+def _alternative(
+    allowed: AllowedType, spans: dict[str, tuple[float, float]]
+) -> Alternative:
+    by_span: dict[tuple[float, float], list[str]] = {}
+    for kind, span in spans.items():
+        by_span.setdefault(span, []).append(kind.replace("_", " "))
+    told = [
+        f"{' and '.join(kinds)}: {low / 1e6:.4g} to {high / 1e6:.4g} MN*m/rad"
+        for (low, high), kinds in by_span.items()
+    ]
+    remark = f"isolates with {'; '.join(told)}" if told else "isolates at no stiffness"
+    return Alternative(allowed.coupling_type.name, bool(spans), None, remark)
