@@ -95,6 +95,7 @@ def run(
 
 def _sentences(simulation: Simulation) -> Iterator[str]:
     """Yield over what the totals are judged, of which run-down the signals are."""
+    from coupling_design.design.endings import describe_ending
     from coupling_design.report.chances import CHAOTIC, describe_chances
 
     facts = simulation.signals.facts
@@ -105,6 +106,7 @@ def _sentences(simulation: Simulation) -> Iterator[str]:
     )
     if simulation.is_chaotic:
         yield CHAOTIC
+    yield from filter(None, [describe_ending(simulation.case, simulation.performance)])
 
 
 def _render(signals: Grid) -> RenderableType:

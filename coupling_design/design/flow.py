@@ -26,6 +26,7 @@ from coupling_design.design.histories import (
     steps_with_maps,
 )
 from coupling_design.design.performance import none_fails
+from coupling_design.design.reasons import remarks_on
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
@@ -133,6 +134,7 @@ def _outcome(state: FlowState, began: float) -> DesignOutcome:
         run_time=time.perf_counter() - began,
         catalogue_choice=choice,
         fatigue_limits=fatigue_limits(case),
+        remarks=remarks_on(case, state.baseline, chosen, state.nearest),
     )
 
 

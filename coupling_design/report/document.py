@@ -95,6 +95,7 @@ def build_document(outcome: DesignOutcome) -> dict[str, Any]:
         "nearest_criteria": [criterion_part(c) for c in outcome.nearest_criteria],
         "strict_reading": None if strict is None else _reading(strict),
         "fatigue_limits": [asdict(each) for each in outcome.fatigue_limits],
+        "remarks": asdict(outcome.remarks),
         "catalogue_choice": None if choice is None else catalogue_part(choice),
         "assumptions": [asdict(value) for value in outcome.assumptions],
         "engine": outcome.engine,

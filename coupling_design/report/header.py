@@ -11,7 +11,7 @@ from coupling_design import __version__
 from coupling_design.case.case import Case, LoadLimitReading
 from coupling_design.design.chance import describe_start
 from coupling_design.design.results import DesignOutcome
-from coupling_design.report.blocks import facts, panel, titled
+from coupling_design.report.blocks import bullets, facts, panel, titled
 from coupling_design.report.units import as_given
 from coupling_design.report.verdicts import render_verdict
 
@@ -36,6 +36,7 @@ def render_header(outcome: DesignOutcome) -> Panel:
             Text(case.description) if case.description else None,
             facts(identity(case)),
             titled("Asked", facts(asked(case))),
+            bullets("Warned", outcome.remarks.warnings),
             titled("Answer", render_verdict(outcome)),
         ),
     )

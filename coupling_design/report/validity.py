@@ -36,6 +36,10 @@ def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
     own = list(_of_rundown("Present", outcome.baseline.rundown))
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
+    own += (
+        f"{role.capitalize()} coupling: {sentence}"
+        for role, sentence in outcome.remarks.endings
+    )
     limits = map(_two_limits, outcome.fatigue_limits)
     return (*own, *_not_checked(outcome), *limits, *_ALWAYS)
 
@@ -71,9 +75,4 @@ def _of_rundown(name: str, rundown: Rundown) -> Iterable[str]:
         yield (
             f"{name} coupling: for {seconds} s the viscosity ratio is below the range "
             "of ISO 281 (0.1) and taken as 0.1."
-        )
-    if rundown.rest_time is None:
-        yield (
-            f"{name} coupling: the engine does not come to rest before the run-down "
-            "ends; what follows is not in the damage."
         )

@@ -8,8 +8,8 @@ from coupling_design.case.case import Case, Plan
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import (
     isolation_constraints,
-    life_constraint,
     load_constraints,
+    survival_constraints,
 )
 from coupling_design.design.problem import (
     Constraint,
@@ -95,7 +95,9 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     limits = _limits(case)
     own = reachable_stiffness(bench.evaluator(candidate), limits, allowed.stiffness)
     space = DesignSpace(own or allowed.stiffness, (gap, gap))
-    least_load = problem(bench, candidate, space, Objective.PEAK, limits)
+    # A damage is no load: it does not count as one over its limit.
+    loads = (*isolation_constraints(case), *load_constraints(case))
+    least_load = problem(bench, candidate, space, Objective.PEAK, loads)
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
@@ -122,7 +124,11 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
 
 
 def _limits(case: Case) -> tuple[Constraint, ...]:
-    return (*isolation_constraints(case), *load_constraints(case), life_constraint())
+    return (
+        *isolation_constraints(case),
+        *load_constraints(case),
+        *survival_constraints(case),
+    )
 
 
 def _scan_finding(candidate: Candidate, program: DesignProblem, plane: Survey) -> str:

@@ -10,8 +10,8 @@ from coupling_design.design.constraints import (
     ISOLATION_RATIO,
     deciding_orders,
     high_frequency_constraint,
-    life_constraint,
     load_constraints,
+    survival_constraints,
 )
 from coupling_design.design.problem import DesignSpace, Objective
 from coupling_design.design.results import (
@@ -80,7 +80,7 @@ def _examine(
     case, bench = state.case, state.bench
     candidate = Candidate(allowed.coupling_type, option)
     frequency = high_frequency_constraint(case)
-    loads = (*load_constraints(case), life_constraint())
+    loads = (*load_constraints(case), *survival_constraints(case))
     gap = gap_nearest_present(case, option)
     program = problem(
         bench,
@@ -152,10 +152,11 @@ def _result(
     shown: Optimum | None,
     decision: Decision,
 ) -> StepResult:
+    case = state.case
     limits = (
-        high_frequency_constraint(state.case),
-        *load_constraints(state.case),
-        life_constraint(),
+        high_frequency_constraint(case),
+        *load_constraints(case),
+        *survival_constraints(case),
     )
     frequency = limits[0].limit
     return StepResult(
