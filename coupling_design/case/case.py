@@ -206,7 +206,8 @@ class Joint:
 class SourcedValue:
     """One value of the file: its path, as written, in SI, and where it comes from.
 
-    `value` is a float in `unit`, or the word chosen; `source` is None if not stated.
+    `value` is a float in `unit`, or the word chosen; `source` is None if not stated,
+    `line` if it stands in no file of its own.
     """
 
     path: str
@@ -215,6 +216,7 @@ class SourcedValue:
     unit: str
     source: Source | None
     note: str
+    line: int | None = None
 
 
 @dataclass(frozen=True)
@@ -254,6 +256,12 @@ class Case:
     overrides: tuple[str, ...] = ()
     working_excitation: tuple[ExcitationOrder, ...] = ()
     works_fired: bool = False
+
+    def place(self, path: str) -> str:
+        """Return a value's path as messages begin with it: file, line, path."""
+        lines = (v.line for v in self.provenance if v.path == path and v.line)
+        line = next(lines, None)
+        return f"{self.file}:{line}: {path}" if line else f"{self.file}: {path}"
 
     @property
     def assumptions(self) -> tuple[SourcedValue, ...]:

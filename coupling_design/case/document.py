@@ -8,6 +8,7 @@ from typing import Any
 
 import yaml
 
+from coupling_design.case.misreadings import misread, without_merge_keys
 from coupling_design.case.nodes import compose, construct
 from coupling_design.case.problem import Path, Problem
 from coupling_design.errors import CaseError
@@ -117,6 +118,7 @@ def _line(mark: Any) -> int:
 def _walk(node: yaml.Node, path: Path, document: Document) -> Iterator[Problem]:
     if isinstance(node, yaml.ScalarNode):
         document.texts[path] = node.value
+        yield from misread(node, path)
     elif isinstance(node, yaml.SequenceNode):
         for index, entry in enumerate(node.value):
             document.lines[(*path, index)] = _line(entry.start_mark)
@@ -129,6 +131,7 @@ def _walk_mapping(
     node: yaml.MappingNode, path: Path, document: Document
 ) -> Iterator[Problem]:
     seen: dict[str, int] = {}
+    yield from without_merge_keys(node, path)
     for key, value in node.value:
         name, line = str(key.value), _line(key.start_mark)
         inner = (*path, name)

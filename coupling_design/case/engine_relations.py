@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
+import numpy as np
 from pydantic import ValidationError
 
 from coupling_design.case.build_engine import (
@@ -17,8 +19,8 @@ from coupling_design.case.engine_schema import EngineMode, EngineSection, Workin
 from coupling_design.case.pressure_file import load_trace
 from coupling_design.case.problem import Path, Problem, suggestion
 from coupling_design.case.values import Values
-from coupling_design.engine import Engine, firing_angles, list_orders
-from coupling_design.engine.parameters import IndicatedCombustion
+from coupling_design.engine import Engine, engine_figures, firing_angles, list_orders
+from coupling_design.engine.parameters import IndicatedCombustion, PressureTrace
 from coupling_design.engine.pressure import pressure_rise
 from coupling_design.errors import CaseError
 
@@ -26,6 +28,9 @@ _ENGINE: Path = ("driveline", "excitation", "engine")
 _WORKING: Path = ("duty", "excitation", "engine")
 _EVERY_ORDER = 1e4
 _SHORTEST_ROD = 0.51  # of the stroke
+# From firing dead centre [deg]: a motored peak lies just before it, the latest burning
+# ends its rise well before the piston is half way down.
+_PEAK_NEAR = (-30.0, 60.0)
 
 
 def check_engine(values: Values, case_file: str) -> Iterator[Problem]:
@@ -43,6 +48,7 @@ def check_engine(values: Values, case_file: str) -> Iterator[Problem]:
     if not problems:
         engine = build_engine(section, case_file)
         yield from _pressure(engine, values, _ENGINE)
+        yield from _trace_peak(engine, values, _ENGINE)
         yield from _orders(section, engine, values, _ENGINE)
 
 
@@ -73,6 +79,7 @@ def check_working_engine(values: Values, case_file: str) -> Iterator[Problem]:
     if not problems:
         engine = build_engine(section, case_file)
         yield from _pressure(engine, values, _WORKING)
+        yield from _trace_peak(engine, values, _WORKING)
         yield from _orders(section, engine, values, _WORKING)
 
 
@@ -141,6 +148,32 @@ def _missing(section: EngineSection, place: Path) -> Iterator[Problem]:
                 (*place, "misfiring_cylinders"),
                 f"found '{name}'; {suggestion(name, names)}allowed: {', '.join(names)}",
             )
+
+
+def _trace_peak(engine: Engine, values: Values, place: Path) -> Iterator[Problem]:
+    """Yield a trace whose peak is far from firing, or that does no work."""
+    trace = engine.combustion
+    if not isinstance(trace, PressureTrace):
+        return
+    path = (*place, "pressure_trace")
+    at = math.degrees(trace.angles[int(np.argmax(trace.pressures))])
+    half = math.degrees(engine.cycle.angle) / 2
+    at = (at + half) % (2 * half) - half
+    low, high = _PEAK_NEAR
+    if not low <= at <= high:
+        yield Problem(
+            path,
+            f"found '{values.text(*path)}', whose largest pressure lies {at:.4g} deg "
+            f"after firing top dead centre; allowed {low:g} to {high:g} deg, where "
+            "combustion is: let the crank angle count from firing top dead centre",
+        )
+    elif (work := engine_figures(engine).indicated_mean_pressure) <= 0:
+        yield Problem(
+            path,
+            f"found '{values.text(*path)}', by which a cycle does negative work, "
+            f"{work / 1e5:.3g} bar of mean pressure: a fired engine drives; correct "
+            "the trace, or write mode motored",
+        )
 
 
 def _pressure(engine: Engine, values: Values, place: Path) -> Iterator[Problem]:

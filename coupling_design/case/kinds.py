@@ -1,11 +1,16 @@
-"""The kinds of quantity a case file holds, as annotated types for its schema."""
+"""The kinds of quantity a case file holds, as annotated types for its schema.
+
+Limits are those of any machine at all: beyond them a digit, a prefix or a unit is
+wrong, and numbers leave what a computer can add. What is merely unusual is warned of
+instead, see `design.usual_ranges`.
+"""
 
 from __future__ import annotations
 
 import math
 from typing import Annotated
 
-from coupling_design.case.quantity import Kind, KindOrWord
+from coupling_design.case.quantity import Kind, KindOrWord, RelativeDampingKind
 
 FACTOR = Kind(
     "a plain number",
@@ -15,20 +20,15 @@ FACTOR = Kind(
     upper=20.0,
     remark="A factor of DIN 740-2 asks for more, never for less",
 )
-RELATIVE_DAMPING = Kind(
-    "a plain number",
-    "",
-    "0.9",
-    lower=0.0,
-    upper=2 * math.pi,
-    excludes_lower=True,
-    remark="A larger one may be the magnifier M of a sheet: psi = 2 pi / M",
+RELATIVE_DAMPING = RelativeDampingKind(
+    "a plain number", "", "0.9", lower=1e-9, upper=2 * math.pi
 )
 GAP = Kind(
     "a length",
     "m",
     "0.28 mm",
     lower=0.0,
+    upper=0.1,
     remark="A gap is the total tangential clearance at the radius of the key",
 )
 ANGLE = Kind("an angle", "rad", "0 deg")
@@ -72,37 +72,40 @@ TORQUE = Kind("a torque", "N*m", "35 kN*m")
 VISCOSITY = Kind("a kinematic viscosity", "m^2/s", "39.6 mm^2/s")
 
 Angle = Annotated[float, ANGLE]
-AngularSpeed = Annotated[float, ANGULAR_SPEED.positive()]
+# From one turn in a day to a turbocharger's.
+AngularSpeed = Annotated[float, ANGULAR_SPEED.between(1e-4, 2e4)]
 CompressionRatio = Annotated[float, COMPRESSION_RATIO]
 Count = Annotated[float, NUMBER.between(1.0, 64.0)]
 # 128 columns of a batch are as many as anybody has reason to ask for.
 CrankAngles = Annotated[float, NUMBER.between(1.0, 128.0)]
 CutTime = Annotated[float | str, CUT_TIME]
 CycleAngle = Annotated[float, ANGLE.between(0.0, 4 * math.pi)]
-Damping = Annotated[float, DAMPING.non_negative()]
+Damping = Annotated[float, DAMPING.between(0.0, 1e9)]
 EngineLength = Annotated[float, LENGTH.between(1e-3, 10.0)]
 EngineSpeed = Annotated[float, ANGULAR_SPEED.between(0.0, 5e3)]
 Exponent = Annotated[float, EXPONENT]
 Factor = Annotated[float, FACTOR]
-Force = Annotated[float, FORCE.positive()]
+# From a watch's bearing to a thousand locomotives.
+Force = Annotated[float, FORCE.between(1e-3, 1e9)]
 Gap = Annotated[float, GAP]
 HighestOrder = Annotated[float, NUMBER.between(0.5, 100.0)]
-Inertia = Annotated[float, INERTIA.positive()]
-Length = Annotated[float, LENGTH.positive()]
+Inertia = Annotated[float, INERTIA.between(1e-6, 1e9)]
+Length = Annotated[float, LENGTH.between(1e-6, 1e3)]
 Mass = Annotated[float, MASS.between(0.0, 1e5)]
-Number = Annotated[float, NUMBER.positive()]
-PerLength = Annotated[float, PER_LENGTH.positive()]
-Power = Annotated[float, POWER.positive()]
+Number = Annotated[float, NUMBER.between(1e-9, 1e4)]
+PerLength = Annotated[float, PER_LENGTH.between(1.0, 1e12)]
+Power = Annotated[float, POWER.between(1e-6, 1e10)]
 Pressure = Annotated[float, PRESSURE]
 Psi = Annotated[float, RELATIVE_DAMPING]
 Reliability = Annotated[float, PROBABILITY.between(0.90, 1.0)]
 Share = Annotated[float, NUMBER.between(0.0, 1.0)]
-Stiffness = Annotated[float, STIFFNESS.positive()]
-Stress = Annotated[float, STRESS.positive()]
-StressCoefficient = Annotated[float, STRESS_COEFFICIENT.positive()]
-Time = Annotated[float, TIME.positive()]
-Friction = Annotated[float, TORQUE.non_negative()]
-PositiveTorque = Annotated[float, TORQUE.positive()]
+# From a watch's spring to a shaft with no length.
+Stiffness = Annotated[float, STIFFNESS.between(1e-3, 1e13)]
+Stress = Annotated[float, STRESS.between(1e3, 1e12)]
+StressCoefficient = Annotated[float, STRESS_COEFFICIENT.between(1.0, 1e12)]
+Time = Annotated[float, TIME.between(1e-9, 1e5)]
+Friction = Annotated[float, TORQUE.between(0.0, 1e10)]
+PositiveTorque = Annotated[float, TORQUE.between(1e-6, 1e10)]
 # A torque harmonic may be negative: the same as half a period of phase.
-Torque = Annotated[float, TORQUE]
-Viscosity = Annotated[float, VISCOSITY.positive()]
+Torque = Annotated[float, TORQUE.between(-1e10, 1e10)]
+Viscosity = Annotated[float, VISCOSITY.between(1e-9, 1.0)]

@@ -24,6 +24,7 @@ def list_provenance(section: BaseModel, document: Document) -> tuple[SourcedValu
             unit=_unit(stated, _text(document, path)),
             source=stated.source,
             note=stated.note,
+            line=document.line(path) if document.override(path) is None else None,
         )
         for path, stated in _stated(section, ())
     )

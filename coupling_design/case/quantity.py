@@ -16,6 +16,9 @@ from coupling_design.case.units import UnitError, describe, from_si, to_si
 _WRITTEN = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?P<unit>.*)", re.DOTALL
 )
+# 1,500 rpm and 0,28 mm: a comma before three digits each time, or another.
+_THOUSANDS = re.compile(r"\s*[+-]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?(?!\d).*", re.DOTALL)
+_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d+,\d+.*", re.DOTALL)
 # The same for JSON Schema: a number, and with a unit.
 _PATTERN = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
 _UNIT = r"\s*[A-Za-zµμ°%1]"
@@ -87,7 +90,18 @@ class Kind:
                 f"expected {self.name}: a number"
                 f"{' and a unit' if self.unit else ''}, such as {self.example}"
             )
+        self._refuse_commas(written)
         return float(match["number"]), match["unit"].strip()
+
+    @staticmethod
+    def _refuse_commas(written: str) -> None:
+        """Raise where a comma stands in a number, with the spelling that is meant."""
+        if _THOUSANDS.fullmatch(written):
+            meant = written.replace(",", "").strip()
+            raise QuantityError(f"thousands take no comma: write {meant}")
+        if _DECIMAL_COMMA.fullmatch(written):
+            meant = written.replace(",", ".").strip()
+            raise QuantityError(f"write the decimal mark as a point: {meant}")
 
     def _convert(self, number: float, unit: str) -> float:
         if not unit:
@@ -184,6 +198,22 @@ class KindOrWord(Kind):
         plain = super().__get_pydantic_json_schema__(schema, handler)
         about = {key: plain.pop(key) for key in ("description", "examples")}
         return {"anyOf": [plain, {"const": self.word}], **about}
+
+
+@dataclass(frozen=True)
+class RelativeDampingKind(Kind):
+    """DIN 740's psi: no more work is lost in a cycle than 2 pi times what is stored.
+
+    Sheets print the magnifier M = 2 pi / psi beside it.
+    """
+
+    def _check_range(self, value: float, unit: str) -> None:
+        if exceeds(value, self.upper):
+            raise QuantityError(
+                f"allowed up to 2 pi; it may be the magnifier M of a sheet: then psi = "
+                f"2 pi / M, here {2 * math.pi / value:.3g}"
+            )
+        super()._check_range(value, unit)
 
 
 def exceeds(value: float, limit: float) -> bool:

@@ -10,19 +10,25 @@ from collections.abc import Iterator
 from typing import Any
 
 from coupling_design.bearing.life import RELIABILITY_FACTORS
+from coupling_design.case.case import LoadLimitReading
 from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues
 from coupling_design.case.catalogue_relations import check_catalogues
 from coupling_design.case.choices import GAPPED, check_choices
 from coupling_design.case.document import Document
 from coupling_design.case.engine_relations import check_engine, check_working_engine
 from coupling_design.case.kinds import (
+    STRESS_COEFFICIENT,
     AngularSpeed,
     CrankAngles,
+    Force,
     Gap,
+    Length,
     Number,
     PositiveTorque,
     Reliability,
     Stiffness,
+    Stress,
+    StressCoefficient,
     Time,
 )
 from coupling_design.case.problem import Path, Problem
@@ -30,6 +36,7 @@ from coupling_design.case.quantity import exceeds
 from coupling_design.case.values import Values, check_ordered, check_unique
 
 _MOST_STEPS = 10_000_000
+_FEWEST_STEPS = 100  # fewer show no vibration, whatever its frequency
 
 
 def check_relations(
@@ -43,6 +50,7 @@ def check_relations(
     yield from _shutdown(values)
     yield from _chances(values)
     yield from _reliability(values)
+    yield from _load_limit(values)
     yield from check_engine(values, document.file)
     yield from check_working_engine(values, document.file)
     series = [series.name for series in catalogues.types]
@@ -97,6 +105,12 @@ def _shutdown(values: Values) -> Iterator[Problem]:
     if exceeds(step, duration):
         limit = values.text("shutdown", "duration")
         yield Problem(path, f"{found}, allowed at most the duration '{limit}'")
+    elif duration / step < _FEWEST_STEPS * (1 - 1e-9):
+        yield Problem(
+            path,
+            f"{found}, which makes {duration / step:.3g} steps; allowed are "
+            f"{_FEWEST_STEPS} or more: write a shorter step or a longer duration",
+        )
     elif duration / step > _MOST_STEPS:
         yield Problem(
             path,
@@ -118,6 +132,40 @@ def _chances(values: Values) -> Iterator[Problem]:
         yield Problem(
             path, f"found '{values.text(*path)}', allowed are whole numbers, such as 8"
         )
+
+
+def _load_limit(values: Values) -> Iterator[Problem]:
+    """Yield a bearing whose weight alone leaves nothing to a transmission force."""
+    reading = values.read(LoadLimitReading, "reading")
+    l_2, l_3, weight = (
+        values.read(kind, "shaft", key)
+        for kind, key in (
+            (Length, "bearing_1_to_rotor"),
+            (Length, "rotor_to_bearing_2"),
+            (Force, "rotor_weight"),
+        )
+    )
+    if reading is not LoadLimitReading.TRANSMISSION_FORCE or None in (l_2, l_3, weight):
+        return
+    statics = (weight * l_3 / (l_2 + l_3), weight * l_2 / (l_2 + l_3))
+    for index, static in enumerate(statics):
+        entry: Path = ("bearings", index)
+        path: Path = (*entry, "stress_coefficient")
+        K_1 = values.read(StressCoefficient, *path)
+        S_min = values.read(Stress, *entry, "minimum_stress")
+        if K_1 is None or S_min is None:
+            continue
+        is_line = STRESS_COEFFICIENT.unit_of(values.text(*path)) == "Pa/N^0.5"
+        F_min = (S_min / K_1) ** (2 if is_line else 3)
+        if F_min <= static:
+            yield Problem(
+                path,
+                f"found '{values.text(*path)}': with its minimum_stress F_min is "
+                f"{F_min:.4g} N, no more than the {static:.4g} N of the rotor's weight "
+                "that this bearing carries, and no force at the coupling would be "
+                "permitted; correct K1, S_min or the weight, or read the limit as "
+                "combined_load",
+            )
 
 
 def _reliability(values: Values) -> Iterator[Problem]:

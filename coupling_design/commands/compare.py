@@ -67,6 +67,9 @@ def run(
     console.print(facts([("A", a.label), ("B", b.label)]), Text())
     console.print(_inputs(differing_inputs(a, b)), Text())
     console.print(_results(compare_results(a, b)))
+    for name, side in (("A", a), ("B", b)):
+        for remark in side.remarks:
+            console.print(Text(), Text(f"{name}: {remark}"))
     if any("chaotic" in name for side in (a, b) for name in side.results):
         console.print(Text(), Text(CHAOTIC))
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -41,11 +41,13 @@ class Side:
     inputs : SI value or word and the text as written, by path; None where a result
         does not record them
     results : value and SI unit, by name
+    remarks : sentences on its run-downs
     """
 
     label: str
     inputs: Mapping[str, tuple[Shown, str]] | None
     results: Mapping[str, tuple[Shown, str]]
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -77,9 +79,10 @@ def read_side(file: str, *, design: bool, size: str | None = None) -> Side:
     given = (value for value in echo(document) if not value.is_default)
     inputs = {value.path: (value.value, value.text) for value in given}
     if design:
-        results = _of_document(file, build_document(run_design(case))).results
-        return Side(file, inputs, results)
-    return Side(file, inputs, dict(_results({"baseline": _present(case, size)})))
+        designed = _of_document(file, build_document(run_design(case)))
+        return replace(designed, inputs=inputs)
+    present = _present(case, size)
+    return Side(file, inputs, dict(_results({"baseline": present})), present["remarks"])
 
 
 def differing_inputs(first: Side, second: Side) -> tuple[Difference, ...] | None:
@@ -119,6 +122,7 @@ def _text(side: tuple[Shown, str] | None) -> str | None:
 
 def _present(case: Any, size: str | None) -> dict[str, Any]:
     from coupling_design.design.conditioning import chaotic
+    from coupling_design.design.endings import describe_ending
     from coupling_design.design.evaluation import Evaluator
     from coupling_design.explore.points import find_point
 
@@ -126,7 +130,9 @@ def _present(case: Any, size: str | None) -> dict[str, Any]:
     evaluator = Evaluator(case, point.candidate)
     performance = evaluator.performance(point.torsional_stiffness, point.key_gap)
     real = point.candidate.size
+    ending = describe_ending(case, performance)
     return {
+        "remarks": (ending,) if ending else (),
         "size": real.name if real else None,
         "chaotic": "yes" if chaotic(evaluator, performance) else None,
         "coupling_type": point.candidate.coupling_type.name,
@@ -153,7 +159,16 @@ def _of_document(file: str, document: Mapping[str, Any]) -> Side:
     inputs = recorded and {
         path: (each["value"], each["text"]) for path, each in recorded.items()
     }
-    return Side(file, inputs, dict(_results(document)))
+    return Side(file, inputs, dict(_results(document)), tuple(_endings(document)))
+
+
+def _endings(document: Mapping[str, Any]) -> Iterator[str]:
+    """Yield how run-downs end, where a result says so in the form it is written in."""
+    remarks = document.get("remarks")
+    endings = remarks.get("endings") if isinstance(remarks, dict) else None
+    for pair in endings if isinstance(endings, list | tuple) else ():
+        if isinstance(pair, list | tuple) and all(isinstance(x, str) for x in pair):
+            yield ": ".join(pair)
 
 
 def _results(document: Mapping[str, Any]) -> Iterator[tuple[str, tuple[Shown, str]]]:

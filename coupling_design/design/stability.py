@@ -23,7 +23,7 @@ def check_time_step(case: Case) -> None:
     if case.shutdown.time_step > largest:
         raise CaseError(
             [
-                f"{case.file}: shutdown.time_step: found "
+                f"{case.place('shutdown.time_step')}: found "
                 f"{case.shutdown.time_step:.4g} s, allowed at most "
                 f"{_rounded_down(largest):.3g} s. "
                 f"Above that the integration of {label} at its stiffest is unstable; "

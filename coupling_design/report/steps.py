@@ -52,7 +52,7 @@ def render_optimum(optimum: Optimum) -> Group:
 
 
 def _agreement(optimum: Optimum) -> Iterable[tuple[str, str]]:
-    """Yield what was compared: the ends of starts, or valleys, one of them lowest."""
+    """Yield what was compared: ends of starts, or valleys of which one is lowest."""
     if optimum.method == "bounded search":
         others = optimum.starts - optimum.starts_agreeing
         yield (
