@@ -69,9 +69,9 @@ def run(
     console.print(_results(compare_results(a, b)))
     for name, side in (("A", a), ("B", b)):
         for remark in side.remarks:
-            console.print(Text(), Text(f"{name}: {remark}"))
+            console.print(Text(), Text(f"{name}: {remark}"), sep="\n")
     if any("chaotic" in name for side in (a, b) for name in side.results):
-        console.print(Text(), Text(CHAOTIC))
+        console.print(Text(), Text(CHAOTIC), sep="\n")
     return 0
 
 

@@ -97,7 +97,8 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     import numpy as np
     from rich.text import Text
 
-    from coupling_design.explore.sweep import COMPLETE, describe_endings
+    from coupling_design.design.endings import describe_endings
+    from coupling_design.explore.sweep import COMPLETE
     from coupling_design.report.chances import CHAOTIC
 
     columns = {column.name: column for column in grid.columns()}
@@ -110,7 +111,10 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     chaotic = int((columns["chaotic"].values[known] > 0).sum())
     if chaotic:
         parts.append(Text(f"{chaotic} of {len(known)} points. {CHAOTIC}"))
-    parts += map(Text, describe_endings(grid))
+    ends, speeds = (
+        columns[name].values[known].tolist() for name in ("ending", "final_speed")
+    )
+    parts += map(Text, describe_endings(ends, speeds))
     missing = columns["damage"].values.size - len(known)
     if grid.facts["status"] != COMPLETE:
         parts.append(Text(f"Sweep {grid.facts['status']}."))

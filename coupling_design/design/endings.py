@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from enum import IntEnum
 
 from coupling_design.case.case import Case
@@ -41,7 +42,7 @@ def ending(case: Case, performance: Performance) -> Ending:
 
 def describe_ending(case: Case, performance: Performance) -> str | None:
     """Return in a sentence how a run-down ends, None where it comes to rest."""
-    rpm = f"{final_speed(performance) / _RPM:.3g} rpm"
+    rpm = f"up to {final_speed(performance) / _RPM:.3g} rpm"
     match ending(case, performance):
         case Ending.AT_REST:
             return None
@@ -59,6 +60,32 @@ def describe_ending(case: Case, performance: Performance) -> str | None:
         "passage is neither in the damage nor in the peak. Take a longer "
         "shutdown.duration."
     )
+
+
+def describe_endings(
+    endings: Sequence[float], speeds: Sequence[float]
+) -> tuple[str, ...]:
+    """Return in sentences how many of many run-downs do not come to rest.
+
+    Of each its `Ending` and its final speed [rad/s].
+    """
+    told = []
+    for grade, how, so in (
+        (Ending.BEFORE_REST, "before rest", "what follows is not in the damage."),
+        (
+            Ending.ABOVE_RESONANCE,
+            "above a resonance",
+            "that passage is neither in the damage nor in the peak. Take a longer "
+            "shutdown.duration.",
+        ),
+    ):
+        ends = [v for v, each in zip(speeds, endings, strict=True) if each == grade]
+        if ends:
+            told.append(
+                f"{len(ends)} of {len(endings)} points: the run-down ends {how}, at up "
+                f"to {max(ends) / _RPM:.3g} rpm; {so}"
+            )
+    return tuple(told)
 
 
 def ending_warnings(case: Case, *performances: Performance) -> tuple[str, ...]:

@@ -28,6 +28,7 @@ def test_a_balls_per_square_root_keeps_its_load_limit(load):
     case = load(f"{BALL}=30 MPa/N^0.5")
 
     assert minimum_load(case.bearings[1]) == pytest.approx(2500, rel=1e-12)
+    assert case.bearings[1].is_a_ball_by_the_line_law
 
 
 def test_its_unit_is_told_where_values_are_listed(load):
@@ -45,8 +46,8 @@ def test_a_rollers_per_cube_root_is_refused_with_the_conversion(load):
         load(ROLLER, "bearings[0].stress_coefficient=100 MPa/N^(1/3)")
 
     (problem,) = caught.value.problems
-    assert "found '100 MPa/N^(1/3)', the law of a ball's point contact" in problem
-    assert "write 25.8199 MPa/N^0.5, for the same load limit" in problem
+    assert "found '100 MPa/N^(1/3)', by the law of a ball's point contact" in problem
+    assert "write 25.8199 MPa/N^0.5" in problem
 
 
 @pytest.mark.parametrize("written", ["0 MPa/N^(1/3)", "-3 MPa/N^0.5", "3", "3 MPa/N"])
