@@ -9,7 +9,7 @@ from coupling_design.bearing.parameters import (
     ShaftGeometry,
 )
 from coupling_design.case.build_coupling import build_damping_law
-from coupling_design.case.build_engine import at_work, excitation_of
+from coupling_design.case.build_engine import at_work, build_engine, excitation_of
 from coupling_design.case.build_shutdown import build_shutdown
 from coupling_design.case.case import (
     Case,
@@ -40,6 +40,7 @@ from coupling_design.case.schema import (
     ShortCircuitSection,
 )
 from coupling_design.case.stated import Stated
+from coupling_design.case.unused import unused_values
 from coupling_design.driveline.parameters import (
     Connection,
     Coupling,
@@ -48,6 +49,7 @@ from coupling_design.driveline.parameters import (
     ExcitationOrder,
     Resistance,
 )
+from coupling_design.engine import first_crank_mode
 
 
 def build_case(
@@ -95,6 +97,8 @@ def build_case(
         present_driving_inertia=_value(section.driveline.coupling.driving_inertia),
         working_excitation=working or excitation,
         works_fired=_works_fired(section),
+        crank_mode=_crank_mode(section.driveline, file),
+        unused=tuple(unused_values(section, coupling_types)),
     )
 
 
@@ -187,6 +191,14 @@ def _works_fired(section: CaseSection) -> bool:
     if isinstance(engine, EngineExcitation):
         return engine.engine.mode.value is EngineMode.FIRED
     return False
+
+
+def _crank_mode(section: DrivelineSection, file: str) -> float | None:
+    if not isinstance(section.excitation, EngineExcitation):
+        return None
+    described = section.excitation.engine
+    is_v = described.bank_angle is not None
+    return first_crank_mode(build_engine(described, file), is_v=is_v)
 
 
 def _short_circuit(section: ShortCircuitSection | None) -> ShortCircuit | None:

@@ -230,6 +230,8 @@ class Case:
     `path=value`, that replaced those of the file `sha256` belongs to.
     `working_excitation` are the orders at working speed, those of the run-down where
     the case gives no others; `works_fired` says that they are a fired engine's.
+    `crank_mode` is the estimated first mode of a described engine's crank [Hz].
+    `unused` are the values that nothing uses: path, and why.
     """
 
     name: str
@@ -256,6 +258,8 @@ class Case:
     overrides: tuple[str, ...] = ()
     working_excitation: tuple[ExcitationOrder, ...] = ()
     works_fired: bool = False
+    crank_mode: float | None = None
+    unused: tuple[tuple[str, str], ...] = ()
 
     def place(self, path: str) -> str:
         """Return a value's path as messages begin with it: file, line, path."""

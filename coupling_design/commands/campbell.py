@@ -21,12 +21,18 @@ def run(case: CaseFile, size: Size = None, overrides: Overrides = None) -> int:
     """
     from coupling_design.case import load_case
     from coupling_design.design.speed_map import evaluate_speed_map
+    from coupling_design.design.warnings import case_warnings
     from coupling_design.explore.points import find_point
+    from coupling_design.report.blocks import bullets
     from coupling_design.report.campbell import render_speed_map
     from coupling_design.report.console import make_report_console
 
     loaded = load_case(case, overrides or ())
     other = find_point(loaded, size=size).candidate if size else None
+    warned = bullets("Read first", case_warnings(loaded))
     report = render_speed_map(loaded, evaluate_speed_map(loaded, other=other))
-    make_report_console().print(report)
+    console = make_report_console()
+    if warned is not None:
+        console.print(warned, "")
+    console.print(report)
     return 0

@@ -61,7 +61,8 @@ def _parts(
 ) -> Iterator[RenderableType]:
     from rich.text import Text
 
-    from coupling_design.report.blocks import facts
+    from coupling_design.design.warnings import case_warnings
+    from coupling_design.report.blocks import bullets, facts
 
     given = [value for value in values if not value.is_default]
     widths = [max(map(len, column)) for column in zip(*map(_cells, given), strict=True)]
@@ -76,6 +77,9 @@ def _parts(
     if defaults:
         yield Text("Not given", style="bold")
         yield facts((f"  {value.path}", _default(value)) for value in defaults)
+    warned = bullets("Read first", case_warnings(case))
+    if warned is not None:
+        yield warned
     yield Text()
     yield facts(_conclusion(case, given, defaults))
 

@@ -53,7 +53,7 @@ def run(
         differing_inputs,
         read_side,
     )
-    from coupling_design.report.blocks import facts
+    from coupling_design.report.blocks import bullets, facts
     from coupling_design.report.chances import CHAOTIC
     from coupling_design.report.console import make_report_console
     from coupling_design.report.progress import show_progress
@@ -65,13 +65,14 @@ def run(
         b = read_side(second, design=design, size=size_b)
     console = make_report_console()
     console.print(facts([("A", a.label), ("B", b.label)]), Text())
+    for name, side in (("A", a), ("B", b)):
+        warned = bullets(f"Read first, {name}", side.warnings)
+        if warned is not None:
+            console.print(warned, Text())
     console.print(_inputs(differing_inputs(a, b)), Text())
     console.print(_results(compare_results(a, b)))
-    for name, side in (("A", a), ("B", b)):
-        for remark in side.remarks:
-            console.print(Text(), Text(f"{name}: {remark}"), sep="\n")
     if any("chaotic" in name for side in (a, b) for name in side.results):
-        console.print(Text(), Text(CHAOTIC), sep="\n")
+        console.print(Text(), Text(CHAOTIC))
     return 0
 
 

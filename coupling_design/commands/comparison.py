@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -38,16 +38,16 @@ class Side:
     Attributes
     ----------
     label : its file
+    warnings : what must be read first
     inputs : SI value or word and the text as written, by path; None where a result
         does not record them
     results : value and SI unit, by name
-    remarks : sentences on its run-downs
     """
 
     label: str
     inputs: Mapping[str, tuple[Shown, str]] | None
     results: Mapping[str, tuple[Shown, str]]
-    remarks: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -72,6 +72,7 @@ def read_side(file: str, *, design: bool, size: str | None = None) -> Side:
     from coupling_design.case.echo import echo
     from coupling_design.case.load import case_of, read_document
     from coupling_design.design.flow import run_design
+    from coupling_design.design.warnings import case_warnings
     from coupling_design.report.document import build_document
 
     document = read_document(file)
@@ -79,10 +80,11 @@ def read_side(file: str, *, design: bool, size: str | None = None) -> Side:
     given = (value for value in echo(document) if not value.is_default)
     inputs = {value.path: (value.value, value.text) for value in given}
     if design:
-        designed = _of_document(file, build_document(run_design(case)))
-        return replace(designed, inputs=inputs)
-    present = _present(case, size)
-    return Side(file, inputs, dict(_results({"baseline": present})), present["remarks"])
+        results = _of_document(file, build_document(run_design(case))).results
+        return Side(file, inputs, results, case_warnings(case))
+    present, remarks = _present(case, size)
+    results = dict(_results({"baseline": present}))
+    return Side(file, inputs, results, (*case_warnings(case), *remarks))
 
 
 def differing_inputs(first: Side, second: Side) -> tuple[Difference, ...] | None:
@@ -120,26 +122,30 @@ def _text(side: tuple[Shown, str] | None) -> str | None:
     return None if side is None else side[1] or str(side[0])
 
 
-def _present(case: Any, size: str | None) -> dict[str, Any]:
+def _present(case: Any, size: str | None) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return what a case's coupling does, and what is to be said of it."""
     from coupling_design.design.conditioning import chaotic
-    from coupling_design.design.endings import describe_ending
     from coupling_design.design.evaluation import Evaluator
+    from coupling_design.design.warnings import run_down_warnings, stop_remark
     from coupling_design.explore.points import find_point
 
     point = find_point(case, size=size)
     evaluator = Evaluator(case, point.candidate)
     performance = evaluator.performance(point.torsional_stiffness, point.key_gap)
     real = point.candidate.size
-    ending = describe_ending(case, performance)
+    remark = stop_remark(case, performance)
+    told = (
+        *run_down_warnings(case, performance, "Present coupling"),
+        *([f"Present coupling: {remark}."] if remark else ()),
+    )
     return {
-        "remarks": (ending,) if ending else (),
         "size": real.name if real else None,
         "chaotic": "yes" if chaotic(evaluator, performance) else None,
         "coupling_type": point.candidate.coupling_type.name,
         "connection": point.candidate.connection.kind.value,
         "damage": performance.damage,
         **vars(performance),
-    }
+    }, told
 
 
 def _read_result(file: str) -> dict[str, Any]:
@@ -159,16 +165,9 @@ def _of_document(file: str, document: Mapping[str, Any]) -> Side:
     inputs = recorded and {
         path: (each["value"], each["text"]) for path, each in recorded.items()
     }
-    return Side(file, inputs, dict(_results(document)), tuple(_endings(document)))
-
-
-def _endings(document: Mapping[str, Any]) -> Iterator[str]:
-    """Yield how run-downs end, where a result says so in the form it is written in."""
-    remarks = document.get("remarks")
-    endings = remarks.get("endings") if isinstance(remarks, dict) else None
-    for pair in endings if isinstance(endings, list | tuple) else ():
-        if isinstance(pair, list | tuple) and all(isinstance(x, str) for x in pair):
-            yield ": ".join(pair)
+    warned = document.get("warnings")
+    known = [each for each in warned or () if isinstance(each, str)]
+    return Side(file, inputs, dict(_results(document)), tuple(known))
 
 
 def _results(document: Mapping[str, Any]) -> Iterator[tuple[str, tuple[Shown, str]]]:

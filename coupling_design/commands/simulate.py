@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
+    from coupling_design.case.case import Case
+    from coupling_design.design.performance import Performance
     from coupling_design.explore.grid import Grid, Quantity
     from coupling_design.explore.simulation import Simulation
 
@@ -70,6 +72,7 @@ def run(
     from coupling_design.explore.files import check_file, write_grid
     from coupling_design.explore.points import find_point
     from coupling_design.explore.simulation import simulate_point
+    from coupling_design.report.blocks import bullets
     from coupling_design.report.console import make_report_console
     from coupling_design.report.performances import render_design
     from coupling_design.report.progress import show_progress
@@ -83,6 +86,9 @@ def run(
         simulation = simulate_point(loaded, point)
     console = make_report_console()
     label = point.candidate.label
+    warned = bullets("Read first", _warnings(loaded, simulation.performance))
+    if warned is not None:
+        console.print(warned, "")
     console.print(render_design(label, simulation.performance, None), "")
     for sentence in _sentences(simulation):
         console.print(sentence, "", sep="\n")
@@ -93,12 +99,21 @@ def run(
     return 0
 
 
+def _warnings(case: Case, performance: Performance) -> tuple[str, ...]:
+    from coupling_design.design.warnings import case_warnings, run_down_warnings
+
+    return (*case_warnings(case), *run_down_warnings(case, performance, "Run-down"))
+
+
 def _sentences(simulation: Simulation) -> Iterator[str]:
     """Yield over what the totals are judged, of which run-down the signals are."""
-    from coupling_design.design.endings import describe_ending
+    from coupling_design.design.warnings import stop_remark
     from coupling_design.report.chances import CHAOTIC, describe_chances
 
     facts = simulation.signals.facts
+    remark = stop_remark(simulation.case, simulation.performance)
+    if remark is not None:
+        yield f"Note: {remark}."
     yield f"Judged over {describe_chances(simulation.performance)}"
     yield (
         f"Signals: of the run-down whose peak decides, crank angle "
@@ -106,7 +121,6 @@ def _sentences(simulation: Simulation) -> Iterator[str]:
     )
     if simulation.is_chaotic:
         yield CHAOTIC
-    yield from filter(None, [describe_ending(simulation.case, simulation.performance)])
 
 
 def _render(signals: Grid) -> RenderableType:

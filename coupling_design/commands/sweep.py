@@ -71,9 +71,11 @@ def run(
     from coupling_design.case.load import case_of, read_document
     from coupling_design.case.overrides import override
     from coupling_design.commands.progress import count_progress
+    from coupling_design.design.warnings import case_warnings
     from coupling_design.explore.axes import parse_axes
     from coupling_design.explore.files import check_file, write_grid
     from coupling_design.explore.sweep import COMPLETE, plan_sweep, run_sweep
+    from coupling_design.report.blocks import bullets
     from coupling_design.report.console import make_report_console
 
     document = override(read_document(case), overrides or ())
@@ -85,6 +87,9 @@ def run(
     with count_progress("run-downs", plan.size) as advance:
         grid = run_sweep(plan, advance)
     console = make_report_console()
+    warned = bullets("Read first", case_warnings(loaded))
+    if warned is not None:
+        console.print(warned, "")
     for part in _parts(grid):
         console.print(part)
     if out is not None:
@@ -97,9 +102,9 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     import numpy as np
     from rich.text import Text
 
-    from coupling_design.design.endings import describe_endings
     from coupling_design.explore.sweep import COMPLETE
     from coupling_design.report.chances import CHAOTIC
+    from coupling_design.report.units import quantity
 
     columns = {column.name: column for column in grid.columns()}
     known = np.flatnonzero(np.isfinite(columns["damage"].values))
@@ -108,13 +113,18 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     if len(known) <= _MOST_ROWS:
         parts.append(_points(columns, axes, known.tolist()))
     parts += [Text(), _extremes(columns, axes, known.tolist())]
+    turning = float(columns["final_speed"].values[known].max()) if len(known) else 0.0
+    if turning > float(grid.facts["rest_speed"]):
+        parts.append(
+            Text(
+                f"Cut off: at some points the set turns at "
+                f"{quantity(turning, 'rad/s')} rpm when the run-down ends; what "
+                "follows is not in the damage."
+            )
+        )
     chaotic = int((columns["chaotic"].values[known] > 0).sum())
     if chaotic:
         parts.append(Text(f"{chaotic} of {len(known)} points. {CHAOTIC}"))
-    ends, speeds = (
-        columns[name].values[known].tolist() for name in ("ending", "final_speed")
-    )
-    parts += map(Text, describe_endings(ends, speeds))
     missing = columns["damage"].values.size - len(known)
     if grid.facts["status"] != COMPLETE:
         parts.append(Text(f"Sweep {grid.facts['status']}."))

@@ -7,14 +7,11 @@ from enum import StrEnum
 
 from coupling_design.case.case import Case, Plan, SourcedValue
 from coupling_design.design.catalogue_choice import CatalogueChoice
-from coupling_design.design.design_map import CoarseStep as CoarseStep
-from coupling_design.design.design_map import DesignMap as DesignMap
 from coupling_design.design.fatigue_limits import FatigueLimits
 from coupling_design.design.performance import Criterion as Criterion
 from coupling_design.design.performance import Performance as Performance
 from coupling_design.design.performance import Sense as Sense
 from coupling_design.design.performance import Verdict as Verdict
-from coupling_design.design.remarks import Remarks
 from coupling_design.design.sensitivity import Sensitivity
 from coupling_design.design.signals import RundownHistory
 
@@ -90,6 +87,41 @@ class Alternative:
     passes: bool
     performance: Performance | None
     remark: str
+
+
+@dataclass(frozen=True)
+class CoarseStep:
+    """A time step longer than the case's own, and how far it is off.
+
+    Attributes
+    ----------
+    times : how many times longer
+    time_step : [s]
+    checked : points that were rolled out with both
+    damage_error, peak_error : largest relative differences between the two
+    """
+
+    times: int
+    time_step: float
+    checked: int
+    damage_error: float
+    peak_error: float
+
+
+@dataclass(frozen=True)
+class DesignMap:
+    """Damage [-] and peak force [N] over stiffness [N m/rad] and gap [m].
+
+    The two have a row for each gap, with an entry for each stiffness. `coarse` is the
+    time step of all rows but the first and the last, None where it is the case's own.
+    """
+
+    name: str
+    torsional_stiffness: tuple[float, ...]
+    key_gap: tuple[float, ...]
+    damage: tuple[tuple[float, ...], ...]
+    peak_transmission_force: tuple[tuple[float, ...], ...]
+    coarse: CoarseStep | None = None
 
 
 @dataclass(frozen=True)
@@ -196,9 +228,10 @@ class DesignOutcome:
     """The whole run: everything a report needs.
 
     `chosen` is None when no design meets the limits; `nearest` then names the
-    candidate that came nearest and `nearest_criteria` how near. `engine` says what
-    did the `rollouts`, and `coarse_rollouts` at a longer step for maps. For figures:
-    `histories`, the present run-down first, and `chosen_map`, the plane of the chosen
+    candidate that came nearest and `nearest_criteria` how near, `reasons` what rules
+    out any. `warnings` are to be read first, `remarks` limit what was shown. `engine`
+    says what did the `rollouts`, and `coarse_rollouts` at a longer step for maps. For
+    figures: `histories`, the present run-down first, and `chosen_map`, the plane of the chosen
     coupling where no step has it.
     """
 
@@ -216,6 +249,8 @@ class DesignOutcome:
     coarse_rollouts: int = 0
     catalogue_choice: CatalogueChoice | None = None
     fatigue_limits: tuple[FatigueLimits, ...] = ()
-    remarks: Remarks = field(default_factory=Remarks)
+    warnings: tuple[str, ...] = ()
+    reasons: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
     histories: tuple[RundownHistory, ...] = field(default=(), compare=False, repr=False)
     chosen_map: DesignMap | None = None

@@ -9,14 +9,12 @@ Sources
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.driveline.history import History
-from coupling_design.driveline.parameters import ExcitationOrder
 
 
 @dataclass(frozen=True)
@@ -58,21 +56,6 @@ def rest_time(history: History, rest_speed: float) -> float | None:
     if turning[-1] == len(history.time) - 1:
         return None
     return float(history.time[turning[-1] + 1])
-
-
-def orders_above_resonance(
-    excitation: Iterable[ExcitationOrder],
-    natural_angular_frequency: float,
-    speed: float,
-) -> list[tuple[float, float]]:
-    """Return the orders that still excite above resonance at a speed [rad/s].
-
-    Each with the speed [rad/s] at which it meets the natural frequency [rad/s], the
-    nearest first: a run-down that ends there has not passed them.
-    """
-    met = [(float(each.order), natural_angular_frequency) for each in excitation]
-    speeds = [(order, frequency / order) for order, frequency in met]
-    return [(order, at) for order, at in sorted(speeds) if at < speed]
 
 
 def _mirrored(signal: FloatArray, window: int) -> FloatArray:

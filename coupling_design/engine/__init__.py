@@ -1,5 +1,6 @@
 """What torque an engine puts on its crankshaft: cylinder, cycle, firing, orders."""
 
+from coupling_design.engine.crank_mode import first_crank_mode as first_crank_mode
 from coupling_design.engine.figures import EngineFigures as EngineFigures
 from coupling_design.engine.figures import engine_figures as engine_figures
 from coupling_design.engine.firing import Arrangement as Arrangement

@@ -16,7 +16,6 @@ from coupling_design.case.document import Document
 from coupling_design.case.load import case_of
 from coupling_design.case.overrides import override
 from coupling_design.design.conditioning import are_chaotic
-from coupling_design.design.endings import ending, final_speed
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.performance import Performance
 from coupling_design.design.stability import check_time_step
@@ -37,8 +36,7 @@ _TOTALS = (
     ("peak_transmission_force", "N", "largest transmission force F_c"),
     ("peak_combined_load_1", "N", "largest combined load, {0}"),
     ("peak_combined_load_2", "N", "largest combined load, {1}"),
-    ("final_speed", "rad/s", "of what turns fastest at the end, over all crank angles"),
-    ("ending", "1", "0 at rest, 1 before rest, 2 above the resonance with an order"),
+    ("final_speed", "rad/s", "of what turns fastest when the run-down ends"),
     ("chaotic", "1", "1 where a start moved by 1e-12 rad moves damage by over 1e-3"),
 )
 
@@ -121,7 +119,14 @@ def _grid(plan: Plan, totals: FloatArray, status: str, diverged: int) -> Grid:
             Quantity(name, unit, meaning.format(*names), values.reshape(plan.shape))
             for (name, unit, meaning), values in zip(_TOTALS, totals, strict=True)
         ),
-        facts={**facts, "status": status, "diverged": str(diverged)},
+        facts={
+            **facts,
+            "status": status,
+            "diverged": str(diverged),
+            "rest_speed": repr(
+                float(plan.case.driveline.engine_resistance.transition_speed)
+            ),
+        },
     )
 
 
@@ -166,7 +171,7 @@ def _perform(
     try:
         found = evaluator.performances(points)
         return [
-            [*_row(each), *_end(evaluator.case, each), float(is_chaotic)]
+            [*_row(each), float(is_chaotic)]
             for each, is_chaotic in zip(
                 found, are_chaotic(evaluator, points), strict=True
             )
@@ -177,10 +182,6 @@ def _perform(
         return [row for point in points for row in _perform(evaluator, [point])]
 
 
-def _end(case: Case, performance: Performance) -> tuple[float, float]:
-    return final_speed(performance), float(ending(case, performance))
-
-
 def _row(performance: Performance) -> list[float]:
     return [
         float(performance.natural_frequency),
@@ -188,4 +189,5 @@ def _row(performance: Performance) -> list[float]:
         *map(float, performance.damages),
         float(performance.peak_transmission_force),
         *map(float, performance.peak_combined_load),
+        performance.spread.final_speed if performance.spread else math.nan,
     ]

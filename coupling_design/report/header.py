@@ -35,8 +35,8 @@ def render_header(outcome: DesignOutcome) -> Panel:
         (
             Text(case.description) if case.description else None,
             facts(identity(case)),
+            bullets("Read first", outcome.warnings),
             titled("Asked", facts(asked(case))),
-            bullets("Warned", outcome.remarks.warnings),
             titled("Answer", render_verdict(outcome)),
         ),
     )

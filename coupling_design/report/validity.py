@@ -36,10 +36,7 @@ def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
     own = list(_of_rundown("Present", outcome.baseline.rundown))
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
-    own += (
-        f"{role.capitalize()} coupling: {sentence}"
-        for role, sentence in outcome.remarks.endings
-    )
+    own += outcome.remarks
     limits = map(_two_limits, outcome.fatigue_limits)
     return (*own, *_not_checked(outcome), *limits, *_ALWAYS)
 

@@ -52,7 +52,10 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
     chosen = outcome.chosen
     if chosen is None:
         yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
-        yield from map(Text, outcome.remarks.reasons or _misses(outcome))
+        yield from map(Text, outcome.reasons)
+        for criterion in outcome.nearest_criteria:
+            if criterion.fails:
+                yield Text(_miss(criterion))
     else:
         yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])
         reduction = describe_reduction(chosen, outcome.baseline.digits)
@@ -63,11 +66,6 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
         strict = outcome.strict_reading
         style = "none" if strict.passes else VERDICT_STYLES["FAIL"]
         yield Text(describe_strict(strict), style=style)
-
-
-def _misses(outcome: DesignOutcome) -> Iterable[str]:
-    """Yield by how much the nearest candidate misses each limit it does not keep."""
-    return (_miss(c) for c in outcome.nearest_criteria if c.fails)
 
 
 def _miss(criterion: Criterion) -> str:

@@ -152,11 +152,10 @@ def _result(
     shown: Optimum | None,
     decision: Decision,
 ) -> StepResult:
-    case = state.case
     limits = (
-        high_frequency_constraint(case),
-        *load_constraints(case),
-        *survival_constraints(case),
+        high_frequency_constraint(state.case),
+        *load_constraints(state.case),
+        *survival_constraints(state.case),
     )
     frequency = limits[0].limit
     return StepResult(
