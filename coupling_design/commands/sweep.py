@@ -113,6 +113,15 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     if len(known) <= _MOST_ROWS:
         parts.append(_points(columns, axes, known.tolist()))
     parts += [Text(), _extremes(columns, axes, known.tolist())]
+    above = int((columns["above_resonance"].values[known] > 0).sum())
+    if above:
+        parts.append(
+            Text(
+                f"{above} of {len(known)} points end above the resonance with the "
+                "largest order: the passage is in neither peaks nor damage. Write a "
+                "longer shutdown.duration."
+            )
+        )
     turning = float(columns["final_speed"].values[known].max()) if len(known) else 0.0
     if turning > float(grid.facts["rest_speed"]):
         parts.append(

@@ -45,13 +45,13 @@ def what_holds(problem: DesignProblem, performance: Performance) -> str:
         return "no constraint and no bound, within what they are known to"
     value = float(problem.value(performance))
     falls = [
-        f"its {name} bound, where it is {_less(value - below)}"
+        f"its {name} bound, where there is {_less(value - below)}"
         for name, below in _at_bounds(problem, performance)
         if below <= value + _FLAT
     ]
     if falls:
         return (
-            f"nothing: least {problem.objective.value} goes on towards "
+            f"nothing: stopped short, {problem.objective.value} falls on towards "
             f"{'; '.join(falls)}"
         )
     return "no constraint and no bound: an inner minimum, larger at each bound"
@@ -79,7 +79,7 @@ def _at_bounds(
 
 
 def _less(difference: float) -> str:
-    """Return in words by how much a logarithm's difference is less."""
+    """Return in words how much less there is by a logarithm's difference."""
     if abs(difference) <= _FLAT:
-        return "the same to 1e-4"
-    return f"{-math.expm1(-difference):.2g} of it less"
+        return "as much to 1e-4"
+    return f"{-math.expm1(-difference):.2%} less"

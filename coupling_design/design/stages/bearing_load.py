@@ -95,7 +95,9 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     limits = _limits(case)
     own = reachable_stiffness(bench.evaluator(candidate), limits, allowed.stiffness)
     space = DesignSpace(own or allowed.stiffness, (gap, gap))
-    least_load = problem(bench, candidate, space, Objective.PEAK, limits)
+    # A damage is no load: it does not count as one over its limit.
+    loads = (*isolation_constraints(case), *load_constraints(case))
+    least_load = problem(bench, candidate, space, Objective.PEAK, loads)
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
