@@ -10,7 +10,6 @@ from coupling_design.design.constraints import (
     high_frequency_constraint,
     highest_excitation,
     isolation_constraints,
-    life_constraint,
     load_constraints,
     survival_constraints,
 )
@@ -57,8 +56,8 @@ def test_a_frequency_that_isolates_just_so_has_no_excess(paper, perform):
     assert order_4.excess(perform(frequency=25.0)) > 0
 
 
-def test_a_bearing_must_survive_the_stop(perform):
-    limit = life_constraint()
+def test_a_bearing_must_survive_the_stop(paper, perform):
+    limit, _ = survival_constraints(paper)
     assert limit.criterion(perform(damage=0.999)).passes
     assert limit.criterion(perform(damage=1.001)).fails
     assert limit.needs_rollout

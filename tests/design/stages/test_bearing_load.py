@@ -27,6 +27,11 @@ def passed(calm, examine):
     return examine(calm)
 
 
+def force_limit_of(state):
+    criteria = state.steps[-1].criteria
+    return next(c.limit for c in criteria if c.name == "peak transmission force")
+
+
 def test_an_elastic_type_below_the_limit_passes(passed):
     assert passed.steps[-1].decision is Decision.PASS
     assert passed.solution.plan is Plan.ELASTIC
@@ -57,7 +62,7 @@ def test_the_evidence_is_the_smallest_peak_with_either_gap(failed):
     present, closed = failed.steps[-1].alternatives
     assert present.performance.key_gap == 1e-4
     assert closed.performance.key_gap == 0.0
-    limit = failed.steps[-1].criteria[-1].limit
+    limit = force_limit_of(failed)
     assert present.performance.peak_transmission_force > limit
     assert closed.performance.peak_transmission_force > limit
     assert not present.passes
@@ -70,7 +75,7 @@ def test_no_other_stiffness_has_a_smaller_peak(quick, failed, evaluator):
     scan = evaluator(quick, "rubber", "key").performances(points)
     smallest = min(p.peak_transmission_force for p in scan)
     found = failed.steps[-1].optimum.performance.peak_transmission_force
-    assert smallest > failed.steps[-1].criteria[-1].limit
+    assert smallest > force_limit_of(failed)
     assert found < 1.1 * smallest
 
 
@@ -94,16 +99,14 @@ def test_a_bearing_that_dies_within_one_stop_is_no_design(calm, examine):
     step = state.steps[-1]
     assert state.solution is None
     assert step.decision is Decision.FAIL
-    assert "peak load over static rating C_0" in [
-        c.name for c in step.criteria if c.fails
-    ]
+    assert "largest bearing load over C_0" in [c.name for c in step.criteria if c.fails]
     assert next(c for c in step.criteria if "transmission" in c.name).passes
 
 
 def test_the_strict_reading_holds_both_bearings(calm, examine):
     strict = replace(calm, reading=LoadLimitReading.COMBINED_LOAD)
     names = [c.name for c in examine(strict).steps[-1].criteria]
-    assert names[-2:] == [
+    assert [name for name in names if name.startswith("peak")] == [
         "peak combined load, Drive end",
         "peak combined load, Other end",
     ]
