@@ -95,7 +95,7 @@ def build_case(
         catalogues=catalogues.files,
         choose=section.design_space.choose,
         present_driving_inertia=_value(section.driveline.coupling.driving_inertia),
-        working_excitation=working or excitation,
+        stated_working_excitation=working,
         works_fired=_works_fired(section),
         crank_mode=_crank_mode(section.driveline, file),
         unused=tuple(unused_values(section, coupling_types)),

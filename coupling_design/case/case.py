@@ -228,8 +228,8 @@ class Case:
     `present_driving_inertia` [kg m^2] is what the present coupling's driving half has
     of the engine's inertia, None if not stated. `overrides` are the values, each
     `path=value`, that replaced those of the file `sha256` belongs to.
-    `working_excitation` are the orders at working speed, those of the run-down where
-    the case gives no others; `works_fired` says that they are a fired engine's.
+    `stated_working_excitation` are the orders at working speed, none where the case
+    gives none of their own; `works_fired` says that they are a fired engine's.
     `crank_mode` is the estimated first mode of a described engine's crank [Hz].
     `unused` are the values that nothing uses: path, and why.
     """
@@ -256,10 +256,15 @@ class Case:
     choose: Choice = Choice.OPTIMUM
     present_driving_inertia: float | None = None
     overrides: tuple[str, ...] = ()
-    working_excitation: tuple[ExcitationOrder, ...] = ()
+    stated_working_excitation: tuple[ExcitationOrder, ...] = ()
     works_fired: bool = False
     crank_mode: float | None = None
     unused: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def working_excitation(self) -> tuple[ExcitationOrder, ...]:
+        """The orders at working speed; those of the run-down where none are stated."""
+        return self.stated_working_excitation or self.driveline.excitation
 
     def place(self, path: str) -> str:
         """Return a value's path as messages begin with it: file, line, path."""

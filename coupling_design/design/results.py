@@ -231,8 +231,8 @@ class DesignOutcome:
     candidate that came nearest and `nearest_criteria` how near, `reasons` what rules
     out any. `warnings` are to be read first, `remarks` limit what was shown. `engine`
     says what did the `rollouts`, and `coarse_rollouts` at a longer step for maps. For
-    figures: `histories`, the present run-down first, and `chosen_map`, the plane of the chosen
-    coupling where no step has it.
+    figures: `histories`, the present run-down first, and `chosen_map`, the plane of
+    the chosen coupling where no step has it.
     """
 
     case: Case

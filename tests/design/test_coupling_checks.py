@@ -5,13 +5,15 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.case.case import ConnectionKind
+from coupling_design.case.case import ConnectionKind, ShortCircuit
 from coupling_design.case.catalogue_sizes import CouplingKind
 from coupling_design.design.candidate import Candidate
-from coupling_design.design.coupling_checks import size_criteria, unchecked
+from coupling_design.design.coupling_checks import size_criteria
+from coupling_design.design.performance import Verdict, none_fails
 from coupling_design.design.state import connection_option
 from coupling_design.driveline.parameters import ExcitationOrder, Resistance
 
+MOTORED = "; motored orders, the fired are larger"
 FREE = Resistance(viscous=0.0, friction=0.0, transition_speed=1.0)
 
 
@@ -86,9 +88,9 @@ def test_vibratory_torque_and_heat_of_a_soft_size(bare, criteria_of):
     soft = criteria_of(bare, {"torsional_stiffness": 2000.0})
     passage = soft["resonance with order 2, 180 rpm, x S_z x S_t"]
     assert (passage.value, passage.limit) == (pytest.approx(679.1, rel=1e-4), 5e3)
-    torque = soft["vibratory torque x S_f x S_t, 600 rpm"]
+    torque = soft["vibratory torque x S_f x S_t, 600 rpm" + MOTORED]
     assert (torque.value, torque.limit) == (pytest.approx(4.72794, rel=1e-4), 1e3)
-    heat = soft["power loss, 600 rpm"]
+    heat = soft["power loss, 600 rpm" + MOTORED]
     assert (heat.value, heat.limit, heat.unit) == (
         pytest.approx(0.017513, rel=1e-3), 500.0, "W",
     )  # fmt: skip
@@ -106,13 +108,68 @@ def test_a_stiff_size_passes_no_resonance(bare, criteria_of):
     assert not [name for name in criteria_of(bare) if name.startswith("resonance")]
 
 
-def test_what_a_sheet_does_not_give_is_not_checked(bare, criteria_of, size_of):
+def test_what_a_sheet_does_not_give_is_not_checked(bare, criteria_of):
+    """By name, with what is missing, and never passed."""
     silent = {"vibratory_torque": None, "power_loss": None, "rare_maximum_torque": None}
     found = criteria_of(bare, silent, rare_torque=1e9)
-    assert list(found) == [
-        "rated torque x service factor x S_t",
-        "peak torque x S_z x S_t",
-        "highest working speed",
-    ]
-    assert unchecked(size_of(bare, "D 2")[1]) == ("T_KW", "P_KV")
-    assert unchecked(size_of(bare, "D 3")[1]) == ()
+    unknown = {
+        name: c.source for name, c in found.items() if c.verdict is Verdict.NOT_CHECKED
+    }
+    assert len(unknown) == 3
+    assert unknown["rare torque x S_t"] == "the sheet of the size gives no T_Kmax2"
+    assert [name.split(" x ")[0].split(",")[0] for name in unknown] == [
+        "rare torque", "vibratory torque", "power loss",
+    ]  # fmt: skip
+    assert not any(found[name].passes or found[name].fails for name in unknown)
+    assert found["rare torque x S_t"].value == 1e9
+    assert none_fails(found.values())
+
+
+def test_without_a_stated_short_circuit_none_is_checked(bare, criteria_of):
+    found = criteria_of(bare, rare_torque=None)["short circuit"]
+    assert found.verdict is Verdict.NOT_CHECKED
+    assert "duty.short_circuit" in found.source
+
+
+def test_of_the_air_gap_the_engines_share_passes_the_coupling(bare, criteria_of):
+    """9 kN m x 2.5 / (2.5 + 3.25) x 1.8 = 7.0435 kN m against T_Kmax2 = 6."""
+    event = ShortCircuit(air_gap_torque=9e3, sudden_load_factor=1.8)
+    found = criteria_of(bare, rare_torque=None, short_circuit=event)
+    share = found["short circuit, air gap x J_e/(J_e + J_g) x S_L x S_t"]
+    assert share.value == pytest.approx(7043.478, rel=1e-6)
+    assert (share.limit, share.fails) == (6e3, True)
+
+
+def test_a_bare_torque_says_that_it_is_bare(bare, criteria_of):
+    found = criteria_of(bare, rare_torque=7e3)["rare torque x S_t"]
+    assert "whatever the inertias" in found.source
+
+
+def test_motored_orders_are_named_in_the_verdicts_own_line(bare, criteria_of):
+    named = [name for name in criteria_of(bare) if "motored orders" in name]
+    assert [name.split(",")[0].split(" x ")[0] for name in named] == [
+        "vibratory torque", "power loss",
+    ]  # fmt: skip
+    fired = criteria_of(replace(bare, works_fired=True))
+    assert not [name for name in fired if "motored" in name]
+
+
+def test_the_working_excitation_decides_at_work_and_not_in_the_passage(
+    bare, criteria_of
+):
+    """Twice the torque at work: twice T_W, four times the heat, the same passage."""
+    strong = replace(
+        bare, stated_working_excitation=(ExcitationOrder(2.0, 120.0, 0.0),)
+    )
+    soft = {"torsional_stiffness": 2000.0}
+    before, after = criteria_of(bare, soft), criteria_of(strong, soft)
+    for start, factor in (
+        ("vibratory", 2.0),
+        ("power loss", 4.0),
+        ("resonance", 1.0),
+    ):
+        old, new = (
+            next(c for name, c in each.items() if name.startswith(start))
+            for each in (before, after)
+        )
+        assert new.value == pytest.approx(factor * old.value, rel=1e-9)

@@ -8,16 +8,18 @@ V_R = sqrt(1 + 25) = 5.0990.
 """
 
 import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from coupling_design.design.steady_vibration import evaluate_vibration
 from coupling_design.driveline.coupling_load import (
     frequency_factor,
-    per_cycle,
     resonance_passage,
     working_load,
 )
-from coupling_design.driveline.damping import coupling_damping
+from coupling_design.driveline.forced_response import forced_response
 from coupling_design.driveline.parameters import (
     Coupling,
     Driveline,
@@ -109,12 +111,28 @@ def test_a_resonance_inside_the_range_is_found():
 
 
 def test_damping_per_cycle():
-    """At 40 rad/s: 0.2 x 12e3 / 40 = 60; eta 0.1: 30 N m s/rad; viscous stays."""
+    """At 40 rad/s: 0.2 x 12e3 / 40 = 60; eta 0.1: 30 N m s/rad; viscous stays.
+
+    Read back from the heat, c w^2 |x|^2 / 2.
+    """
     viscous = ProportionalDamping(0.5, 290.0)
     for law, c in [
         (PSI, 60.0),
         (LossFactorDamping(0.1), 30.0),
         (viscous, 0.5 * 12e3 / 290),
     ]:
-        coupling = Coupling(12e3, per_cycle(law, 40.0))
-        assert coupling_damping(coupling, 1.2) == pytest.approx(c)
+        line = replace(two_masses(), coupling=Coupling(12e3, law))
+        speed = np.array([40.0 / line.excitation[0].order])
+        response = forced_response(line, speed, per_cycle=True)
+        twist = abs(response.twist[0, 0])
+        heat = response.power_loss[0, 0]
+        assert 2 * heat / (40.0 * twist) ** 2 == pytest.approx(c)
+
+
+def test_one_heat_whoever_asks():
+    """What a table over speed shows is what a sheet's P_KV is held against."""
+    line, speed = two_masses(), 70.0
+    vibration = evaluate_vibration(line, 100.0, [speed])
+    at = list(vibration.speeds).index(speed)
+    worst = working_load(line, (speed, speed))
+    assert worst.power_loss == pytest.approx(vibration.power_loss[at], rel=1e-12)

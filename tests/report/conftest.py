@@ -13,6 +13,7 @@ from coupling_design.case.catalogue_sizes import (
     CouplingSize,
 )
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
+from coupling_design.design.chance import Spread
 from coupling_design.design.results import (
     Alternative,
     Baseline,
@@ -28,40 +29,54 @@ from coupling_design.design.results import (
     Rundown,
     Sense,
     StepResult,
+    Verdict,
 )
+from coupling_design.design.sensitivity import Move, Sensitivity
 from coupling_design.driveline.parameters import LossFactorDamping
 
 CASE = Path(__file__).parents[2] / "cases" / "16v280.yaml"
 PRESENT = Performance(
-    541e3, 0.28e-3, 9.963, (4.0512345e-9, 7.5e-11), 70173.0, (97361.0, 28981.0)
-)
+    541e3, 0.28e-3, 9.963, (4.0512345e-9, 7.5e-11), 70173.0, (97361.0, 28981.0),
+    Spread(
+        8, ((3.9e-9, 4.2e-9), (7.1e-11, 7.9e-11)), (69800.0, 70173.0), 70000.0, 3
+    ),
+)  # fmt: skip
 STIFF = Performance(
-    192.80e6, 0.0, 188.563, (2.5621e-9, 6.62e-11), 33926.07, (54301.0, 21043.0)
+    192.80e6, 0.0, 188.563, (2.5621e-9, 6.62e-11), 33926.07, (54301.0, 21043.0),
+    Spread(
+        8, ((2.4e-9, 2.7e-9), (6.1e-11, 7.0e-11)), (33900.0, 33926.07), 33910.0, 0
+    ),
+)  # fmt: skip
+MOVED = Sensitivity(
+    4.0512345e-9, 70173.0, (Move("initial speed", 0.97, 3.98e-9, 70170.0),)
+)
+STEADY = Sensitivity(
+    2.5621e-9, 33926.07, (Move("initial speed", 0.97, 2.5622e-9, 33926.0),)
 )
 FIRM = Conditioning(1.2e-10, -2.1e-5, 3.1e-5, 4)
 SHAKY = Conditioning(4.4e-3, 7.1e-3, 2e-2, 2)
 RUNDOWN = Rundown(13.14, 61870.0, 11.96, 45.91, 0.08, 0.325)
 CARRIES = Criterion(
     "diaphragm: rated torque x service factor", 45.5e3, 63e3, Sense.AT_MOST,
-    "N*m", True, 0.27778, "nominal torque T_KN of the type",
+    "N*m", Verdict.PASS, 0.27778, "nominal torque T_KN of the type",
 )  # fmt: skip
 TOO_SMALL = Criterion(
     "steel-spring: peak torque", 75.001e3, 75e3, Sense.AT_MOST,
-    "N*m", False, -1.3333e-5, "maximum torque T_Kmax of the type",
+    "N*m", Verdict.FAIL, -1.3333e-5, "maximum torque T_Kmax of the type",
 )  # fmt: skip
 FREQUENCY = Criterion(
     "natural frequency", 188.563, 188.5618, Sense.AT_LEAST,
-    "Hz", True, 6.4e-6, "sqrt 2 times the highest excitation (paper, step 4)",
+    "Hz", Verdict.PASS, 6.4e-6, "sqrt 2 times the highest excitation (paper, step 4)",
 )  # fmt: skip
 FORCE = Criterion(
     "peak transmission force", 33926.07, 36120.18, Sense.AT_MOST,
-    "N", True, 0.060745, "F_min less the static load (eq. 7)",
+    "N", Verdict.PASS, 0.060745, "F_min less the static load (eq. 7)",
 )  # fmt: skip
 STRICT = Criterion(
     "peak combined load, Bearing 1", 54301.0, 48838.56, Sense.AT_MOST,
-    "N", False, -0.11185, "F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
+    "N", Verdict.FAIL, -0.11185, "F_min = (S_min / K1)^2 (eq. 7; with the shaft's lever)",
 )  # fmt: skip
-TOO_HIGH = replace(FORCE, value=46690.0, passes=False, margin=-0.29263)
+TOO_HIGH = replace(FORCE, value=46690.0, verdict=Verdict.FAIL, margin=-0.29263)
 OPTIMUM = Optimum(
     objective="damage",
     performance=STIFF,
@@ -75,6 +90,7 @@ OPTIMUM = Optimum(
     rollouts=87,
     kkt_residual=1.3e-8,
     active_constraints=("natural frequency",),
+    held_by="natural frequency",
     conditioning=FIRM,
 )
 SCANNED = replace(
@@ -84,6 +100,7 @@ SCANNED = replace(
     solver_status="Maximum_Iterations_Exceeded",
     kkt_residual=None,
     active_constraints=(),
+    held_by="no constraint and no bound: an inner minimum, larger at each bound",
     conditioning=None,
 )
 MAP = DesignMap(
@@ -160,7 +177,7 @@ def outcome(case):
     return DesignOutcome(
         case=case,
         baseline=Baseline(
-            PRESENT, "key", "steel-spring", RUNDOWN, SHAKY, 1e-4, 4.14e-4
+            PRESENT, "key", "steel-spring", RUNDOWN, SHAKY, 1e-4, 4.14e-4, MOVED
         ),
         steps=STEPS,
         chosen=ChosenDesign(
@@ -172,6 +189,9 @@ def outcome(case):
             conditioning=FIRM,
             damage_reduction=1 - 2.5621e-9 / 4.0512345e-9,
             criteria=(CARRIES, FREQUENCY, FORCE),
+            sensitivity=STEADY,
+            reduction_range=(0.312, 0.401),
+            fuel_cut_at_once=replace(STIFF, peak_transmission_force=59519.7),
         ),
         strict_reading=LoadReading("combined_load", (STRICT,), False, 28896.14),
         nearest=None,
@@ -234,7 +254,7 @@ CHOICE = CatalogueChoice(
         SizeTrial(
             replace(SHEET, name="DP 50"),
             None,
-            (replace(FREQUENCY, passes=False),),
+            (replace(FREQUENCY, verdict=Verdict.FAIL),),
             passes=False,
             remark="fails: natural frequency",
         ),

@@ -3,7 +3,7 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.results import Criterion, Sense
+from coupling_design.design.results import Criterion, Sense, Verdict
 from coupling_design.report.damages import damage, damage_e6
 from coupling_design.report.numbers import change, percent, significant
 from coupling_design.report.units import (
@@ -13,7 +13,9 @@ from coupling_design.report.units import (
     value_and_limit,
 )
 
-FORCE = Criterion("F_c", 36130.0, 36120.18, Sense.AT_MOST, "N", False, -3e-4, "eq. 7")
+FORCE = Criterion(
+    "F_c", 36130.0, 36120.18, Sense.AT_MOST, "N", Verdict.FAIL, -3e-4, "eq. 7"
+)
 
 
 @pytest.mark.parametrize(
@@ -71,7 +73,7 @@ def test_damage_in_the_papers_unit():
 
 
 def test_value_and_limit():
-    passing = replace(FORCE, value=33926.07, passes=True)
+    passing = replace(FORCE, value=33926.07, verdict=Verdict.PASS)
     assert value_and_limit(passing) == ("33.93", "<= 36.12")
     assert value_and_limit(FORCE) == ("36.13", "<= 36.12")
 
