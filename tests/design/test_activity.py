@@ -1,9 +1,12 @@
 """What holds an optimum is said only where it has been looked at."""
 
+from dataclasses import replace
+
 import pytest
 
 from coupling_design.design.activity import what_holds
-from coupling_design.design.problem import Objective
+from coupling_design.design.problem import Constraint, Objective
+from coupling_design.design.results import Sense
 
 DAMAGE = Objective.DAMAGE
 
@@ -23,7 +26,7 @@ def test_an_inner_minimum_is_larger_at_each_bound(landscape):
 def test_a_point_short_of_a_better_bound_is_no_minimum(landscape):
     """Damage is 1/k: from ln k = 4 to the bound at ln 100 = 4.60517 falls 45.4 %."""
     told = held(landscape(lambda k, gap: -k, DAMAGE), 4.0)
-    assert told == (
+    assert told.startswith(
         "nothing: stopped short, damage falls on towards its upper torsional "
         "stiffness bound, where there is 45.40% less"
     )
@@ -40,15 +43,37 @@ def test_a_gap_may_be_what_falls_on(landscape):
     assert "lower key gap bound" in held(program, 2.0, 5e-4)
 
 
-def test_a_bound_that_breaks_a_limit_is_no_way_on(landscape, force_limit):
-    """Damage falls with stiffness, but at the bound the force is over its limit."""
+def test_short_of_a_limit_is_no_minimum_either(landscape, force_limit):
+    """Damage falls until the force meets its limit; the bound itself is beyond it.
+
+    2 % of ln 100 = 4.60517 further there is 1 - exp(-0.092103) = 8.80 % less.
+    """
     program = landscape(
         lambda k, gap: -k,
         DAMAGE,
-        [force_limit(60.0)],
+        [force_limit(80.0)],
         log_peak=lambda k, gap: 1.0 * k,
     )
-    assert held(program, 4.0).startswith("no constraint and no bound")
+    assert held(program, 4.0) == (
+        "nothing: stopped short, damage falls on towards a larger torsional "
+        "stiffness, where there is 8.80% less"
+    )
+
+
+def test_what_the_frequency_leaves_is_the_bound(landscape):
+    """Damage falls with stiffness; the bound is where the frequency limit ends it."""
+    program = landscape(lambda k, gap: -2e-5 * k, DAMAGE)
+    frequency = Constraint(
+        name="frequency",
+        quantity=lambda performance: performance.natural_frequency,
+        limit=float(program.evaluator.natural_frequency(80.0)),
+        sense=Sense.AT_MOST,
+        unit="Hz",
+        source="this test",
+        needs_rollout=False,
+    )
+    told = held(replace(program, constraints=(frequency,)), 4.0)
+    assert "its upper torsional stiffness bound" in told
 
 
 @pytest.mark.parametrize("ln_stiffness", [0.0, 4.605170185988092])

@@ -40,6 +40,7 @@ def step_5(landscape, force_limit):
                 rollouts=1,
                 kkt_residual=None,
                 active_constraints=(),
+                held_by="",
                 conditioning=None,
             )
             allowed = AllowedType(candidate.coupling_type, (1.0, 100.0))

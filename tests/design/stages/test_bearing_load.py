@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.case.case import LoadLimitReading, Plan
+from coupling_design.case.case import ConnectionKind, LoadLimitReading, Plan
 from coupling_design.design.results import Decision
 from coupling_design.design.stages.bearing_load import limit_bearing_load
 from coupling_design.design.state import AllowedType
@@ -83,6 +83,13 @@ def test_the_range_is_that_of_the_connection_examined(calm, examine):
     """The key isolates up to 11.336 kN*m/rad (see the tests of Step 2)."""
     state = examine(calm, (1e3, 2e4))
     assert "from 0.001 to 0.01134 MN*m/rad" in state.steps[-1].findings[0]
+
+
+def test_a_present_connection_that_never_isolates_is_not_examined(calm, examine):
+    """From 11.3 kN*m/rad on only key and spline isolate; present is a tight fit."""
+    tight = replace(calm, present_connection=ConnectionKind.TIGHT_FIT)
+    state = examine(tight, (1.13e4, 2e4))
+    assert state.steps[-1].findings[0].startswith("rubber, key: ")
 
 
 def test_a_bearing_that_dies_within_one_stop_is_no_design(calm, examine):
