@@ -13,6 +13,8 @@ _ACTIVE = 1e-4
 # An objective that is no more than this above that at a bound, a logarithm, does not
 # tell the two apart.
 _FLAT = 1e-4
+# A fall of less than this is none: a damage is known to five or six digits.
+_SAME = 1e-5
 # How far beside a point it is looked whether the objective falls on, in scaled terms.
 _BESIDE = 0.02
 _NAMES = ("torsional stiffness", "key gap")
@@ -46,25 +48,32 @@ def what_holds(problem: DesignProblem, performance: Performance) -> str:
         return "; ".join(active)
     if problem.objective is Objective.STIFFNESS:
         return "no constraint and no bound, within what they are known to"
-    value = float(problem.value(performance))
-    places = {**_bounds(problem, performance), **_beside(problem, performance)}
-    found = problem.evaluator.performances(list(places.values()))
-    falls = []
-    for name, there in zip(places, found, strict=True):
-        # At a bound it has to be larger; beside the point, no smaller.
-        enough = _FLAT if "bound" in name else -_FLAT
-        below = float(problem.value(there))
-        if problem.is_feasible(there) and below <= value + enough:
-            falls.append(f"{name}, where there is {_less(value - below)}")
+    # At a bound it has to be larger, beside the point no smaller.
+    falls = _falls(problem, performance, _bounds(problem, performance), _FLAT) or (
+        _falls(problem, performance, _beside(problem, performance), -_FLAT)
+    )
     if falls:
-        return (
-            f"nothing: stopped short, {problem.objective.value} falls on towards "
-            f"{'; '.join(falls)}"
-        )
+        return f"nothing: stopped short, {problem.objective.value} {'; '.join(falls)}"
     return "no constraint and no bound: an inner minimum, larger at each bound"
 
 
 _Places = dict[str, tuple[float, float]]
+
+
+def _falls(
+    problem: DesignProblem, performance: Performance, places: _Places, enough: float
+) -> list[str]:
+    """Return the feasible places whose objective is at most `enough` above a point's.
+
+    Each with how much less there is.
+    """
+    value = float(problem.value(performance))
+    found = problem.evaluator.performances(list(places.values()))
+    return [
+        _falling(name, value - float(problem.value(there)))
+        for name, there in zip(places, found, strict=True)
+        if problem.is_feasible(there) and float(problem.value(there)) <= value + enough
+    ]
 
 
 def _bounds(problem: DesignProblem, performance: Performance) -> _Places:
@@ -101,8 +110,9 @@ def _beside(problem: DesignProblem, performance: Performance) -> _Places:
     return places
 
 
-def _less(difference: float) -> str:
-    """Return in words how much less there is by a logarithm's difference."""
-    if abs(difference) <= _FLAT:
-        return "as much to 1e-4"
-    return f"{-math.expm1(-difference):.2%} less"
+def _falling(name: str, difference: float) -> str:
+    """Return in words how an objective goes on towards a place; of its logarithm."""
+    if difference <= _SAME:
+        return f"is flat towards {name}: as much to {_FLAT:g}"
+    less = f"{-100 * math.expm1(-difference):.3g} % less"
+    return f"falls on towards {name}, where there is {less}"

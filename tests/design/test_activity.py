@@ -28,14 +28,20 @@ def test_a_point_short_of_a_better_bound_is_no_minimum(landscape):
     told = held(landscape(lambda k, gap: -k, DAMAGE), 4.0)
     assert told.startswith(
         "nothing: stopped short, damage falls on towards its upper torsional "
-        "stiffness bound, where there is 45.40% less"
+        "stiffness bound, where there is 45.4 % less"
     )
 
 
+def test_a_bound_need_not_do_much_better(landscape):
+    """By 1e-4 per unit of ln k: 0.60517 further there is 0.00605 % less."""
+    told = held(landscape(lambda k, gap: -1e-4 * k, DAMAGE), 4.0)
+    assert "upper torsional stiffness bound, where there is 0.00605 % less" in told
+
+
 def test_where_a_bound_does_as_well_neither_is_the_minimum(landscape):
-    """A logarithm of damage that is 1e-5 less at the bound: the two are one."""
-    told = held(landscape(lambda k, gap: -2e-5 * k, DAMAGE), 4.0)
-    assert "upper torsional stiffness bound, where there is as much to 1e-4" in told
+    """A minimum by less than a damage is known to."""
+    told = held(landscape(lambda k, gap: 1e-5 * (k - 4.0) ** 2, DAMAGE), 4.0)
+    assert "is flat towards its upper torsional stiffness bound: as much to" in told
 
 
 def test_a_gap_may_be_what_falls_on(landscape):
@@ -56,7 +62,7 @@ def test_short_of_a_limit_is_no_minimum_either(landscape, force_limit):
     )
     assert held(program, 4.0) == (
         "nothing: stopped short, damage falls on towards a larger torsional "
-        "stiffness, where there is 8.80% less"
+        "stiffness, where there is 8.8 % less"
     )
 
 
