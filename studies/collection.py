@@ -19,6 +19,7 @@ from studies import (
     paper_results,
     resonance,
     skf,
+    start,
     stiffness,
 )
 from studies.command import Found, Study
@@ -65,6 +66,7 @@ def collect(case: Case, folder: Path) -> tuple[Part, ...]:
             paper_results.comparisons(case),
             illustrations=tuple(illustrations(case, folder)),
         ),
+        Part(start.TITLE, text=start.fragment(start.examine(case))),
         identification_part(case, folder),
         Part(
             "Where the paper contradicts itself",

@@ -38,7 +38,7 @@ class SetEvidence:
     named : the set
     values : TARGETS for each of STEPS (n_steps, n_targets)
     more : further results in words, for each of STEPS
-    band : TARGETS over the start phase (n_phases, n_targets)
+    band : TARGETS over the crank angle (n_phases, n_targets)
     """
 
     named: NamedSet
@@ -64,7 +64,7 @@ class Evidence:
 
 @functools.cache
 def examine(case: Case, n_phases: int = N_PHASES) -> Evidence:
-    """Return all that the report shows, with so many start phases."""
+    """Return all that the report shows, with so many crank angles."""
     sets = named_sets()
     return Evidence(
         sets={name: _evidence(case, named, n_phases) for name, named in sets.items()},
@@ -78,7 +78,7 @@ def examine(case: Case, n_phases: int = N_PHASES) -> Evidence:
 
 
 def quick(case: Case) -> Evidence:
-    """Return the same with few start phases."""
+    """Return the same with few crank angles."""
     return examine(case, QUICK_PHASES)
 
 

@@ -30,7 +30,7 @@ _VARIANTS = ("present", "half", "tight", "half, tight", "high stiffness")
 
 @dataclass(frozen=True)
 class Resonance:
-    """What the resonance does to D, averaged over the start phase.
+    """What the resonance does to D, averaged over the crank angle.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ def needed_exponent(growth: float) -> float:
 
 def resonance_of(case: Case, inputs: Inputs, n_phases: int) -> Resonance:
     """Return what the resonance does to D near a set."""
-    started = [inputs.started_at(speed) for speed in phases(n_phases)]
+    started = [inputs.started_at(*angles) for angles in phases(case, n_phases)]
     found = run(case, started, variants={v: MORE_VARIANTS[v] for v in _VARIANTS})
     now, half, tight, tight_half, rest = (
         float(np.mean(found[variant, "damage_1"])) for variant in _VARIANTS
@@ -137,7 +137,7 @@ def sentences(case: Case, n_phases: int) -> Sequence[str]:
         f"{needed_exponent(need):.1f}; a_ISO makes the power higher, but less so the "
         "dirtier the grease. Rolled out with the shipped inputs in a tight fit the "
         f"part grows {now.linear_growth:.2f} times, with the key {now.growth:.2f} "
-        f"times, and D changes by {now.rise:+.1f} % (averages over the start phase).",
+        f"times, and D changes by {now.rise:+.1f} % (averages over the crank angle).",
         _of_rattling(case),
         f"Cleaner grease makes more of D resonance: with normal cleanliness "
         f"{clean.share:.1f} % of it instead of {now.share:.1f} %, but then the "

@@ -21,7 +21,7 @@ _PHASES = 8
 
 
 def tables_of(case: Case, candidates: Mapping[str, Inputs]) -> Iterator[Table]:
-    """Yield inputs that were found, and their results averaged over the start phase."""
+    """Yield inputs that were found, and their results averaged over the crank angle."""
     sets = list(candidates.values())
     inputs = table("Inputs found", "input", "unit", *candidates)
     for q in QUANTITIES:
@@ -32,7 +32,7 @@ def tables_of(case: Case, candidates: Mapping[str, Inputs]) -> Iterator[Table]:
     refinement = 1 + any(each["contact_stiffness"] > SMOOTH_CONTACT for each in sets)
     values = targets_over_phases(case, sets, _PHASES, refinement).mean(axis=1)
     off = residuals(values)
-    title = "Mean over the start phase (tolerances off)"
+    title = "Mean over the crank angle (tolerances off)"
     made = table(title, "result", "paper", *candidates)
     for i, target in enumerate(TARGETS):
         cells = (f"{values[j, i]:.4g} ({off[j, i]:+.1f})" for j in range(len(sets)))

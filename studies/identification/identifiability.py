@@ -1,6 +1,6 @@
 """How well each lost input is determined, and which trade off against each other.
 
-The targets are averaged over the start phase, linearised about a set, and divided by
+The targets are averaged over the crank angle, linearised about a set, and divided by
 what the paper leaves to them. Before the paper is read each input may lie anywhere
 within its bounds; its singular directions then say what the paper adds.
 """

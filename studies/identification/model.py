@@ -26,6 +26,7 @@ from coupling_design.driveline.parameters import (
     KeyedConnection,
     ProportionalDamping,
     Resistance,
+    Shutdown,
     TightFit,
 )
 from coupling_design.rollout.fastest import fastest_marcher
@@ -40,6 +41,7 @@ _TURNING = 5 * math.pi / 30  # rad/s
 _SPEED, _STIFFNESS, _DAMPING = (
     NAMES.index(name) for name in ("initial_speed", "stiffness", "damping_factor")
 )
+_GAP, _CRANK, _GRAVITY = (len(NAMES) + i for i in range(3))
 BUILT_GAP = 0.28e-3
 
 
@@ -114,9 +116,12 @@ def run(
 
 
 def columns(case: Case, candidates: Sequence[Inputs], variant: Variant) -> FloatArray:
-    """Return the step's parameters (12, n_candidates) for a variant of each."""
-    made = np.array([[*inputs.values, 0.0] for inputs in candidates]).T
-    made[-1] = variant.gap or 0.0
+    """Return the step's parameters (14, n_candidates) for a variant of each.
+
+    The inputs, then the gap, the crank angle at the start and gravity's direction.
+    """
+    made = np.array([[*inputs.values, 0.0, *inputs.start] for inputs in candidates]).T
+    made[_GAP] = variant.gap or 0.0
     if not variant.elastic:
         made[_STIFFNESS], made[_DAMPING] = _high_stiffness(case)
     elif variant.multiplier is None:
@@ -176,12 +181,17 @@ def _machinery(
 ) -> tuple[ca.Function, Marcher]:
     """Return the start of the state and what marches it."""
     case = replace(case, lubrication=replace(case.lubrication, cleanliness=cleanliness))
-    p = ca.SX.sym("p", len(NAMES) + 1)
-    line = driveline(case, p, tight)
-    shutdown = replace(case.shutdown, initial_speed=p[_SPEED])
+    p = ca.SX.sym("p", len(NAMES) + 3)
+    line = driveline(case, p[: _GAP + 1], tight)
+    shutdown = replace(
+        case.shutdown,
+        initial_speed=p[_SPEED],
+        crank_angle=p[_CRANK],
+        gravity_angle=p[_GRAVITY],
+    )
     begin = joint_start(line, shutdown, p)(p)[0]
     start = ca.Function("start", [p], [ca.vertcat(begin, ca.SX(len(EXTRAS), 1))])
-    step = _step(line, case, case.shutdown.time_step / refinement, p)
+    step = _step(line, case, case.shutdown.time_step / refinement, p, shutdown)
     return start, fastest_marcher(step, case.shutdown.n_steps * refinement)
 
 
@@ -219,9 +229,11 @@ def _resistance(now: Resistance, viscous: Scalar, friction: Scalar) -> Resistanc
     return replace(now, viscous=viscous, friction=friction)
 
 
-def _step(line: Driveline, case: Case, time_step: float, p: ca.SX) -> ca.Function:
+def _step(
+    line: Driveline, case: Case, time_step: float, p: ca.SX, shutdown: Shutdown
+) -> ca.Function:
     """Return the joint step with EXTRAS carried along."""
-    plain = joint_step(line, case, time_step, p)
+    plain = joint_step(line, case, time_step, p, shutdown)
     n, n_motion = plain.size1_in(0), len(state_names(line))
     state = ca.SX.sym("state", n + len(EXTRAS))
     now = motion(line, state[:n_motion])

@@ -117,19 +117,22 @@ STIFFEST_CONTACT = 5e8
 
 @dataclass(frozen=True)
 class Inputs:
-    """One value of each of QUANTITIES, SI, and the class of cleanliness."""
+    """One value of each of QUANTITIES, SI, and the class of cleanliness.
+
+    `start` is the crank angle at the start and gravity's direction then [rad].
+    """
 
     values: tuple[float, ...]
     cleanliness: Cleanliness
+    start: tuple[float, float] = (0.0, 0.0)
 
     def __getitem__(self, name: str) -> float:
         """Return the value of a quantity by its name."""
         return self.values[NAMES.index(name)]
 
-    def started_at(self, relative_speed: float) -> Inputs:
-        """Return the inputs with the initial speed multiplied."""
-        speed = self["initial_speed"] * relative_speed
-        return replace(self, values=(speed, *self.values[1:]))
+    def started_at(self, crank_angle: float, gravity_angle: float) -> Inputs:
+        """Return the inputs from another crank angle and gravity's direction [rad]."""
+        return replace(self, start=(crank_angle, gravity_angle))
 
     def of_class(self, cleanliness: Cleanliness) -> Inputs:
         """Return the inputs with another cleanliness."""

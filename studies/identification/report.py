@@ -47,13 +47,13 @@ _COMPARED = (
 
 
 def comparisons(case: Case) -> tuple[Comparison, ...]:
-    """Return the shipped results, averaged over the start phase, beside the paper's."""
+    """Return the shipped results, averaged over the crank angle, beside the paper's."""
     found = examine(case)
     means = found.shipped.band.mean(axis=0)
     rows = []
     for target, ours in zip(TARGETS, means.tolist(), strict=True):
         arguments = (
-            f"{target.name}, mean over the start phase",
+            f"{target.name}, mean over the crank angle",
             target.paper,
             target.lowest,
             ours,

@@ -84,7 +84,7 @@ def results(found: Evidence) -> Rows:
     mean = one.band.mean(axis=0)
     return Rows(
         f"Results and residuals, set '{one.named.name}'",
-        ("result", "paper", "ours", "off, tolerances", "tolerance", "mean over phase"),
+        ("result", "paper", "ours", "off, tolerances", "tolerance", "mean over angle"),
         tuple(
             (
                 name,
@@ -130,7 +130,7 @@ def side_by_side(found: Evidence) -> Rows:
 
 
 def bands(found: Evidence) -> Rows:
-    """Return mean and range of each result over the start phase."""
+    """Return mean and range of each result over the crank angle."""
     sets = list(found.sets.values())
     lines = [
         (name, target.paper, *(_band(one.band[:, i]) for one in sets))
@@ -148,7 +148,7 @@ def bands(found: Evidence) -> Rows:
         )
     ]
     return Rows(
-        f"Mean (least to most) over {len(sets[0].band)} start phases, one period",
+        f"Mean (least to most) over {len(sets[0].band)} crank angles at the start",
         ("result", "paper", *found.sets),
         (*lines, *sums),
     )

@@ -166,7 +166,7 @@ def global_search(
 def local_fit(
     case: Case, start: Inputs, region: Region, n_phases: int, seconds: float
 ) -> Inputs:
-    """Return inputs whose targets, averaged over start phases, fit best nearby.
+    """Return inputs whose targets, averaged over crank angles, fit best nearby.
 
     Least squares within the bounds, beyond `LINEAR_BEYOND` tolerances linear.
     """

@@ -16,14 +16,12 @@ import numpy as np
 from coupling_design.arithmetic import FloatArray
 from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case.case import Case
+from coupling_design.design.chance import chances
 from studies.identification.model import VARIANTS, Rundowns, run
 from studies.identification.parameters import Inputs
 
 _Value = Callable[[Rundowns], FloatArray]
 _RPM = 30 / math.pi
-# The period of the start phase: one turn more or less until standstill changes the
-# initial speed by about twice this share.
-HALF_PERIOD = 0.0066
 # A residual counts with its square up to so many tolerances, and linearly beyond: one
 # result out of reach must not drown the others.
 LINEAR_BEYOND = 6.0
@@ -140,17 +138,21 @@ def targets_of(
     return targets(run(case, candidates, refinement, VARIANTS))
 
 
-def phases(n: int) -> FloatArray:
-    """Return n initial speeds spread evenly over a period of the start phase."""
-    centred = (np.arange(n) + 0.5) / n - 0.5
-    return 1 + 2 * HALF_PERIOD * centred
+def phases(case: Case, n: int) -> FloatArray:
+    """Return n crank angles at the start, evenly spread, with gravity's direction.
+
+    Shape (n, 2) [rad]; as the program itself judges a run-down.
+    """
+    return chances(case, n).T
 
 
 def targets_over_phases(
     case: Case, candidates: Sequence[Inputs], n: int, refinement: int = 1
 ) -> FloatArray:
-    """Return the TARGETS for n start phases, shape (n_candidates, n, n_targets)."""
-    started = [each.started_at(speed) for each in candidates for speed in phases(n)]
+    """Return the TARGETS for n crank angles, shape (n_candidates, n, n_targets)."""
+    started = [
+        each.started_at(*angles) for each in candidates for angles in phases(case, n)
+    ]
     found = targets_of(case, started, refinement)
     return found.reshape(len(candidates), n, len(TARGETS))
 
