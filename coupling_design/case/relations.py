@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from coupling_design.bearing.life import RELIABILITY_FACTORS
+from coupling_design.case.bearing_relations import check_contacts
 from coupling_design.case.case import LoadLimitReading
 from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues
 from coupling_design.case.catalogue_relations import check_catalogues
@@ -51,6 +52,7 @@ def check_relations(
     yield from _chances(values)
     yield from _reliability(values)
     yield from _load_limit(values)
+    yield from check_contacts(values)
     yield from check_engine(values, document.file)
     yield from check_working_engine(values, document.file)
     series = [series.name for series in catalogues.types]

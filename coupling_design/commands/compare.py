@@ -72,7 +72,7 @@ def run(
     console.print(_inputs(differing_inputs(a, b)), Text())
     console.print(_results(compare_results(a, b)))
     if any("chaotic" in name for side in (a, b) for name in side.results):
-        console.print(Text(), Text(CHAOTIC))
+        console.print(Text(), Text(CHAOTIC), sep="\n")
     return 0
 
 

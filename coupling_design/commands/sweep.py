@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -104,7 +104,6 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
 
     from coupling_design.explore.sweep import COMPLETE
     from coupling_design.report.chances import CHAOTIC
-    from coupling_design.report.units import quantity
 
     columns = {column.name: column for column in grid.columns()}
     known = np.flatnonzero(np.isfinite(columns["damage"].values))
@@ -113,15 +112,10 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     if len(known) <= _MOST_ROWS:
         parts.append(_points(columns, axes, known.tolist()))
     parts += [Text(), _extremes(columns, axes, known.tolist())]
-    turning = float(columns["final_speed"].values[known].max()) if len(known) else 0.0
-    if turning > float(grid.facts["rest_speed"]):
-        parts.append(
-            Text(
-                f"Cut off: at some points the set turns at "
-                f"{quantity(turning, 'rad/s')} rpm when the run-down ends; what "
-                "follows is not in the damage."
-            )
-        )
+    ends = {
+        name: columns[name].values[known] for name in ("above_resonance", "final_speed")
+    }
+    parts += _endings(ends, float(grid.facts["rest_speed"])) if len(known) else []
     chaotic = int((columns["chaotic"].values[known] > 0).sum())
     if chaotic:
         parts.append(Text(f"{chaotic} of {len(known)} points. {CHAOTIC}"))
@@ -133,6 +127,34 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
             Text(f"{missing} run-downs left finite numbers; their results are NaN.")
         )
     return parts
+
+
+def _endings(ends: dict[str, Any], rest_speed: float) -> list[RenderableType]:
+    """Return how many run-downs end too soon to show the passage, and any too soon."""
+    from rich.text import Text
+
+    from coupling_design.report.units import quantity
+
+    told: list[RenderableType] = []
+    above, points = int((ends["above_resonance"] > 0).sum()), len(ends["final_speed"])
+    if above:
+        told.append(
+            Text(
+                f"{above} of {points} points end above the resonance with the largest "
+                "order: the passage is in neither peaks nor damage. Write a longer "
+                "shutdown.duration."
+            )
+        )
+    turning = float(ends["final_speed"].max())
+    if turning > rest_speed:
+        told.append(
+            Text(
+                f"Cut off: at some points the set turns at "
+                f"{quantity(turning, 'rad/s')} rpm when the run-down ends; what "
+                "follows is not in the damage."
+            )
+        )
+    return told
 
 
 def _points(

@@ -90,13 +90,29 @@ def _of_performance(case: Case, performance: Performance) -> Iterator[str]:
     yield from _cut_off(case, performance)
 
 
+def ends_above_resonance(case: Case, performance: Performance) -> bool:
+    """Return whether the run-down ends before it passes the largest order's resonance.
+
+    One that begins below it has been warned of already: there is no passage.
+    """
+    spread = performance.spread
+    if spread is None:
+        return False
+    resonance = _resonance(case, performance)
+    return resonance < spread.final_speed < float(case.shutdown.initial_speed)
+
+
+def _resonance(case: Case, performance: Performance) -> float:
+    """Return the speed at which the largest order meets the natural frequency."""
+    frequency = 2 * math.pi * float(performance.natural_frequency)
+    return frequency / float(_largest_order(case).order)
+
+
 def _cut_off(case: Case, performance: Performance) -> Iterator[str]:
     """Yield that the set still turns above the resonance when the run-down ends."""
     spread, order = performance.spread, _largest_order(case)
-    if spread is None:
-        return
-    resonance = 2 * math.pi * float(performance.natural_frequency) / order.order
-    if resonance < spread.final_speed < float(case.shutdown.initial_speed):
+    if spread is not None and ends_above_resonance(case, performance):
+        resonance = _resonance(case, performance)
         yield (
             f"the run-down ends at {spread.final_speed * _RPM:.4g} rpm, above the "
             f"resonance with order {order.order:g} at {resonance * _RPM:.4g} rpm: the "

@@ -19,6 +19,7 @@ from coupling_design.design.conditioning import are_chaotic
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.performance import Performance
 from coupling_design.design.stability import check_time_step
+from coupling_design.design.warnings import ends_above_resonance
 from coupling_design.errors import SimulationError
 from coupling_design.explore.axes import GAP_PATH, STIFFNESS_PATH, Axis
 from coupling_design.explore.grid import Grid, Quantity
@@ -37,6 +38,7 @@ _TOTALS = (
     ("peak_combined_load_1", "N", "largest combined load, {0}"),
     ("peak_combined_load_2", "N", "largest combined load, {1}"),
     ("final_speed", "rad/s", "of what turns fastest when the run-down ends"),
+    ("above_resonance", "1", "1 where it ends before the largest order's resonance"),
     ("chaotic", "1", "1 where a start moved by 1e-12 rad moves damage by over 1e-3"),
 )
 
@@ -171,7 +173,11 @@ def _perform(
     try:
         found = evaluator.performances(points)
         return [
-            [*_row(each), float(is_chaotic)]
+            [
+                *_row(each),
+                float(ends_above_resonance(evaluator.case, each)),
+                float(is_chaotic),
+            ]
             for each, is_chaotic in zip(
                 found, are_chaotic(evaluator, points), strict=True
             )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from rich.panel import Panel
 
@@ -19,7 +20,7 @@ _ALWAYS = (
     "Three inertias, one coupling, one connection; the gap is smoothed by tanh. No "
     "misalignment, unbalance, bending or gas torque of a fired engine.",
     "Life after ISO 281:2007 with a_ISO for the load of each moment; bearing loads by "
-    "statics of the overhung shaft.",
+    "statics of the overhung shaft, a rigid lever that turns bearing 2's load over.",
     "The result is as good as the case file. It replaces neither the coupling maker's "
     "approval nor a torsional vibration calculation of the classification society.",
 )
@@ -37,25 +38,32 @@ def limits_of_validity(outcome: DesignOutcome) -> tuple[str, ...]:
     if outcome.chosen is not None:
         own += _of_rundown("Chosen", outcome.chosen.rundown)
     own += outcome.remarks
-    limits = map(_two_limits, outcome.fatigue_limits)
+    limits = _two_limits(outcome.fatigue_limits)
     return (*own, *_not_checked(outcome), *limits, *_ALWAYS)
 
 
-def _two_limits(limits: FatigueLimits) -> str:
-    """Return which of a bearing's two fatigue limits decides, and why they differ."""
-    F_min, C_u = (quantity(each, "N") for each in (limits.minimum_load, limits.C_u))
-    told = (
-        f"{limits.bearing}: F_min {F_min} kN, from S_min and K1, and C_u {C_u} kN, "
-        "from C_0 (ISO 281), are both fatigue limits of one bearing. F_min decides, by "
-        "the method; C_u stands in the life. K1 takes stress to grow with the load's "
-        f"{limits.law}."
-    )
-    if limits.is_a_ball_by_the_line_law:
-        told += (
-            " It has balls, whose stress goes with the cube root: write K1 in "
-            "MPa/N^(1/3), which is S_min / F_min^(1/3)."
+def _two_limits(bearings: Iterable[FatigueLimits]) -> Iterable[str]:
+    """Yield which of a bearing's two fatigue limits decides, and why they differ.
+
+    Once for bearings that are alike.
+    """
+    alike: dict[FatigueLimits, list[str]] = {}
+    for each in bearings:
+        alike.setdefault(replace(each, bearing=""), []).append(each.bearing)
+    for limits, names in alike.items():
+        F_min, C_u = (quantity(each, "N") for each in (limits.minimum_load, limits.C_u))
+        told = (
+            f"{' and '.join(names)}: F_min {F_min} kN, from S_min and K1, and C_u "
+            f"{C_u} kN, from C_0 (ISO 281), are both fatigue limits of one bearing. "
+            "F_min decides, by the method; C_u stands in the life. K1 takes stress to "
+            f"grow with the load's {limits.law}."
         )
-    return told
+        if limits.is_a_ball_by_the_line_law:
+            told += (
+                " It has balls, whose stress goes with the cube root: write K1 in "
+                "MPa/N^(1/3), which is S_min / F_min^(1/3)."
+            )
+        yield told
 
 
 def _not_checked(outcome: DesignOutcome) -> Iterable[str]:

@@ -70,8 +70,8 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
 
 def _miss(criterion: Criterion) -> str:
     value, limit = value_and_limit(criterion)
-    unit = display_unit(criterion.unit)
-    return f"Nearest came: {criterion.name} {value} {unit}, wanted {limit} {unit}."
+    unit = f" {display_unit(criterion.unit)}" if criterion.unit else ""
+    return f"Nearest came: {criterion.name} {value}{unit}, wanted {limit}{unit}."
 
 
 def _size(choice: CatalogueChoice) -> Text:

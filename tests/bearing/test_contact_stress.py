@@ -9,6 +9,12 @@ from coupling_design.bearing.contact_stress import (
     permissible_transmission_force,
     strict_transmission_force,
 )
+from coupling_design.bearing.parameters import Contact
+
+
+@pytest.fixture(params=Contact)
+def touching(request, nu2326):
+    return dataclasses.replace(nu2326, contact=request.param)
 
 
 def test_contact_stress(nu2326):
@@ -19,6 +25,17 @@ def test_contact_stress(nu2326):
 def test_minimum_load_of_the_paper(nu2326):
     assert minimum_load(nu2326) == pytest.approx(48838.56, abs=0.005)
     assert contact_stress(minimum_load(nu2326), nu2326) == pytest.approx(800e6)
+
+
+def test_a_ball_touches_in_a_point(ball):
+    # 60 MPa/N^(1/3) * (27 000 N)^(1/3) = 60 * 30 = 1800 MPa
+    point = dataclasses.replace(
+        ball, stress_coefficient=60e6, minimum_stress=1800e6, contact=Contact.POINT
+    )
+
+    assert contact_stress(27e3, point) == pytest.approx(1800e6, rel=1e-12)
+    # (1800/60)^3 = 27 000 N
+    assert minimum_load(point) == pytest.approx(27e3, rel=1e-12)
 
 
 def test_permissible_force_of_the_paper(shaft, nu2326):
@@ -46,12 +63,12 @@ def test_the_weaker_bearing_decides(shaft, nu2326):
     assert strict_force == pytest.approx(-508.74 / 0.25, abs=0.02)
 
 
-def test_contact_stress_is_one_for_all_number_types(evaluations, nu2326):
-    values = list(evaluations(lambda load: contact_stress(load, nu2326), 3e4))
+def test_contact_stress_is_one_for_all_number_types(evaluations, touching):
+    values = list(evaluations(lambda load: contact_stress(load, touching), 3e4))
 
     assert values == pytest.approx([values[0]] * 5, rel=1e-15)
 
 
-def test_contact_stress_has_finite_derivatives_at_zero_load(derivatives, nu2326):
-    for parts in derivatives(lambda load: contact_stress(load, nu2326), 0):
+def test_contact_stress_has_finite_derivatives_at_zero_load(derivatives, touching):
+    for parts in derivatives(lambda load: contact_stress(load, touching), 0):
         assert all(np.isfinite(part).all() for part in parts)

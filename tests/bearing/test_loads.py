@@ -28,8 +28,29 @@ def test_static_loads_carry_the_weight_unevenly(shaft):
 
 
 def test_rotational_loads_of_the_paper(shaft):
-    # (230+460+460)/920 = 1.25; the lever turns 230/920 = 0.25 over; together 1000
+    # (230+460+460)/920 = 1.25; -230/920 = -0.25: the lever turns bearing 2's load over
     assert rotational_loads(1000.0, shaft) == pytest.approx((1250, -250), rel=1e-12)
+
+
+@given(forces)
+def test_rotational_loads_balance_the_shaft(shaft, force):
+    near, far = rotational_loads(force, shaft)
+
+    assert near + far == pytest.approx(force, rel=1e-12, abs=1e-6)
+    # About the hub: 230 mm to bearing 1, 1150 mm to bearing 2.
+    assert 0.230 * near + 1.150 * far == pytest.approx(0, abs=1e-9 * abs(force))
+
+
+def test_loads_of_both_bearings_where_the_force_points_down(shaft):
+    # 1000 N along gravity: 12 718.38 + 1250 N at bearing 1, 12 718.38 - 250 N at 2
+    loads = [
+        combined_load(turning, weight, 0.0)
+        for turning, weight in zip(
+            rotational_loads(1000.0, shaft), static_loads(shaft), strict=True
+        )
+    ]
+
+    assert loads == pytest.approx([13968.38, 12468.38], rel=1e-12)
 
 
 def test_combined_load_at_sixty_degrees():

@@ -11,6 +11,7 @@ from coupling_design.design.constraints import (
     highest_excitation,
     isolation_constraints,
     load_constraints,
+    survival_constraints,
 )
 from coupling_design.design.results import Sense
 
@@ -55,10 +56,19 @@ def test_a_frequency_that_isolates_just_so_has_no_excess(paper, perform):
     assert order_4.excess(perform(frequency=25.0)) > 0
 
 
-def test_the_papers_permissible_force(paper):
-    (limit,) = load_constraints(paper, TRANSMISSION_FORCE)
-    assert limit.limit == pytest.approx(36120.18, abs=0.005)
+def test_a_bearing_must_survive_the_stop(paper, perform):
+    limit, _ = survival_constraints(paper)
+    assert limit.criterion(perform(damage=0.999)).passes
+    assert limit.criterion(perform(damage=1.001)).fails
     assert limit.needs_rollout
+
+
+def test_no_peak_load_is_above_a_static_rating(paper, perform):
+    """NU2326: C_0 is 1230 kN."""
+    _, static = survival_constraints(paper)
+    assert static.criterion(perform(peak=1229e3)).passes
+    assert static.criterion(perform(peak=1231e3)).fails
+    assert static.quantity(perform(peak=615e3)) == pytest.approx(0.5)
 
 
 def test_the_papers_permissible_force_with_the_lever(paper):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from coupling_design.case.case import Case, Plan
+from coupling_design.case.case import Case, ConnectionOption, Plan
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import (
     isolation_constraints,
@@ -29,7 +29,6 @@ from coupling_design.design.state import (
     AllowedType,
     FlowState,
     Solution,
-    connection_option,
     gap_nearest_present,
     options_of,
 )
@@ -83,19 +82,14 @@ class _Trial:
 
 def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
     case, bench = state.case, state.bench
-    kinds = allowed.coupling_type.connections
-    present = case.present_connection
-    option = (
-        connection_option(case, present)
-        if present in kinds
-        else options_of(case, allowed.coupling_type)[0]
-    )
+    option, stiffness = _examined(state, allowed)
     gap = gap_nearest_present(case, option)
     candidate = Candidate(allowed.coupling_type, option)
     limits = _limits(case)
-    own = reachable_stiffness(bench.evaluator(candidate), limits, allowed.stiffness)
-    space = DesignSpace(own or allowed.stiffness, (gap, gap))
-    least_load = problem(bench, candidate, space, Objective.PEAK, limits)
+    space = DesignSpace(stiffness, (gap, gap))
+    # A damage is no load: it does not count as one over its limit.
+    loads = (*isolation_constraints(case), *load_constraints(case))
+    least_load = problem(bench, candidate, space, Objective.PEAK, loads)
     plane = survey(bench, replace(least_load, space=replace(space, gap=(0.0, gap))))
     scanned = plane.largest_gap
     bench.progress(f"least load of {candidate.label}")
@@ -119,6 +113,24 @@ def _examine(state: FlowState, allowed: AllowedType) -> _Trial:
         return trial
     solution = Solution(Plan.ELASTIC, candidate, allowed, best, limits)
     return replace(trial, optimum=best, solution=solution)
+
+
+def _examined(
+    state: FlowState, allowed: AllowedType
+) -> tuple[ConnectionOption, tuple[float, float]]:
+    """Return the connection a type is examined in, and what isolates there [N m/rad].
+
+    The present one, or else the loosest it may have; another where that never isolates.
+    """
+    case, limits = state.case, isolation_constraints(state.case)
+    options = options_of(case, allowed.coupling_type)
+    present = case.present_connection
+    for option in sorted(options, key=lambda option: option.kind is not present):
+        evaluator = state.bench.evaluator(Candidate(allowed.coupling_type, option))
+        own = reachable_stiffness(evaluator, limits, allowed.stiffness)
+        if own is not None:
+            return option, own
+    return options[0], allowed.stiffness
 
 
 def _limits(case: Case) -> tuple[Constraint, ...]:

@@ -2,7 +2,6 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.baseline import present_candidate
 from coupling_design.design.results import Decision
 from coupling_design.design.stages.vibration_isolation import check_vibration_isolation
 from coupling_design.design.state import AllowedType
@@ -24,20 +23,36 @@ def with_speeds(case, lowest, highest):
 
 
 def test_the_range_is_cut_to_what_isolates(quick, examine):
-    """14.14 Hz on 1.4224 kg*m^2 is 11.23 kN*m/rad; a key in series allows more.
-
-    J1 -k- J2 -k_g- J3 with 2.5, 0.3, 3 kg m^2 and k_g = 1e6 at omega = 88.858 rad/s,
-    x = omega^2 = 7895.7: x^2 - B x + C = 0 is linear in k,
-    k = (x^2 - k_g (1/J2 + 1/J3) x) / ((1/J1 + 1/J2) x - k_g 5.8 / (2.5 x 0.3 x 3))
-      = (6.2342e7 - 2.89509e10) / (2.94773e4 - 2.57778e6) = 11.3364e3 N m/rad.
-    """
+    """14.14 Hz on 1.4224 kg*m^2 is 11.23 kN*m/rad."""
     state = examine(quick)
     assert state.steps[-1].decision is Decision.PASS
+    assert (
+        "tight fit: 0.001 to 0.01123 MN*m/rad" in state.steps[-1].alternatives[0].remark
+    )
     low, high = state.elastic[0].stiffness
     assert low == 1e3
-    assert high == pytest.approx(11.3364e3, rel=1e-4)
-    remark = state.steps[-1].alternatives[0].remark
-    assert "tight fit: 0.001 to 0.01123 MN*m/rad" in remark
+    assert high == pytest.approx(11.336e3, rel=1e-4)
+
+
+def test_the_key_is_a_spring_in_series_and_leaves_more(quick, examine):
+    """At w^2 = (28.284 pi)^2 = 7895.7 with kg = 1 MN*m/rad, the generator swings by 1.
+
+    Hub: 1 - 3.0 * 7895.7 / 1e6 = 0.97631; torque of the coupling: 7895.7 * (0.3 *
+    0.97631 + 3.0) = 26.000 kN*m; engine: -26 000 / (2.5 * 7895.7) = -1.31718. So it is
+    26.000 kN*m / (0.97631 + 1.31718) = 11.336 kN*m/rad.
+    """
+    (told,) = examine(quick).steps[-1].alternatives
+    assert told.remark == (
+        "isolates with key and spline: 0.001 to 0.01134 MN*m/rad; "
+        "tight fit: 0.001 to 0.01123 MN*m/rad"
+    )
+
+
+def test_a_connection_that_never_isolates_is_left_out(quick, examine):
+    """Between what isolates in a tight fit, 11.23, and with a key, 11.336 kN*m/rad."""
+    state = examine(quick, (1.13e4, 2e4))
+    assert state.elastic[0].stiffness == pytest.approx((1.13e4, 1.1336e4), rel=1e-4)
+    assert "tight fit" not in state.steps[-1].alternatives[0].remark
 
 
 def test_the_criteria_are_those_of_the_present_coupling(quick, examine):
@@ -63,8 +78,12 @@ def test_a_range_too_stiff_to_isolate_fails(quick, examine):
     assert not state.steps[-1].alternatives[0].passes
 
 
-def test_isolation_costs_no_rollout(quick, examine):
-    """None beyond those of the present coupling."""
-    state = examine(quick)
-    present = state.bench.evaluator(present_candidate(quick))
-    assert state.bench.rollouts == present.all_rollouts
+def test_isolation_costs_no_rollout(quick, start_of):
+    """No more than the present coupling has taken before."""
+    state = start_of(quick)
+    before = state.bench.rollouts
+    elastic = (AllowedType(quick.coupling_types[0], (1e3, 2e4)),)
+    assert (
+        check_vibration_isolation(replace(state, elastic=elastic)).bench.rollouts
+        == before
+    )
