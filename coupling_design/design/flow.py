@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import closing
 
 from coupling_design.bearing.contact_stress import strict_transmission_force
@@ -14,17 +14,20 @@ from coupling_design.design.baseline import (
     rundown,
 )
 from coupling_design.design.candidate import Candidate
-from coupling_design.design.chain_check import too_few_inertias
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
 from coupling_design.design.coupling_checks import size_criteria, torque_criteria
 from coupling_design.design.discrete import choose_size, settle
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.fatigue_limits import fatigue_limits
 from coupling_design.design.histories import (
     chosen_plane,
     rundown_history,
     steps_with_maps,
+)
+from coupling_design.design.outcome_parts import (
+    fuel_cut_at_once,
+    outcome_remarks,
+    outcome_warnings,
 )
 from coupling_design.design.performance import none_fails
 from coupling_design.design.results import (
@@ -58,13 +61,7 @@ from coupling_design.design.state import (
     connection_option,
     options_of,
 )
-from coupling_design.design.warnings import (
-    case_warnings,
-    run_down_warnings,
-    stop_remark,
-    weight_above_limit,
-)
-from coupling_design.driveline.parameters import FuelCutStart
+from coupling_design.design.warnings import weight_above_limit
 
 Stage = Callable[[FlowState], FlowState]
 
@@ -140,37 +137,10 @@ def _outcome(state: FlowState, began: float) -> DesignOutcome:
         run_time=time.perf_counter() - began,
         catalogue_choice=choice,
         fatigue_limits=fatigue_limits(case),
-        warnings=tuple(_warnings(state, chosen, shown)),
+        warnings=tuple(outcome_warnings(state, chosen, shown)),
         reasons=() if chosen else tuple(weight_above_limit(case)),
-        remarks=tuple(_remarks(state, chosen)),
+        remarks=tuple(outcome_remarks(state, chosen)),
     )
-
-
-def _warnings(
-    state: FlowState, chosen: ChosenDesign | None, shown: ChosenDesign | Optimum | None
-) -> Iterator[str]:
-    """Yield what must be read first: of the case, of both couplings, of the model."""
-    case = state.case
-    yield from case_warnings(case)
-    yield from run_down_warnings(case, state.baseline.performance, "Present coupling")
-    if shown is None:
-        return
-    whose = "Chosen coupling" if chosen else "Nearest coupling"
-    yield from run_down_warnings(case, shown.performance, whose)
-    chain = too_few_inertias(case, float(shown.performance.natural_frequency))
-    if chain is not None:
-        yield f"{whose}: {chain}"
-
-
-def _remarks(state: FlowState, chosen: ChosenDesign | None) -> Iterator[str]:
-    """Yield where a run-down was cut off."""
-    shown = [("Present coupling", state.baseline.performance)]
-    if chosen is not None:
-        shown.append(("Chosen coupling", chosen.performance))
-    for whose, performance in shown:
-        told = stop_remark(state.case, performance)
-        if told is not None:
-            yield f"{whose}: {told}."
 
 
 def _prefixed(progress: Progress, prefix: str) -> Progress:
@@ -202,23 +172,11 @@ def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
         ),
         sensitivity=moved,
         reduction_range=reduction_range(state.baseline.sensitivity, moved),
-        fuel_cut_at_once=_at_once(evaluator, performance)
+        fuel_cut_at_once=fuel_cut_at_once(evaluator, performance)
         if solution.plan is Plan.HIGH_STIFFNESS
         else None,
         size=candidate.size.name if candidate.size else None,
     )
-
-
-def _at_once(evaluator: Evaluator, performance: Performance) -> Performance | None:
-    """Return what a design does if the fuel's torque goes at once, the bound.
-
-    None where the run-down has another equation, its fuel being cut over a time.
-    """
-    if evaluator.case.shutdown.fuel_cut_time:
-        return None
-    point = performance.torsional_stiffness, performance.key_gap
-    columns = evaluator.run_downs.variables.columns([point], evaluator.chances)
-    return evaluator.performances_from(columns, FuelCutStart(0.0))[0]
 
 
 def _histories(
