@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+from coupling_design.design.chance import Spread
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
 from coupling_design.design.performance import Criterion, Performance, Verdict
 from coupling_design.design.sensitivity import Sensitivity
@@ -14,6 +15,7 @@ _PASSES = {Verdict.PASS: True, Verdict.FAIL: False, Verdict.NOT_CHECKED: None}
 
 def performance_part(performance: Performance) -> dict[str, Any]:
     """Return what a design does."""
+    spread = performance.spread
     return {
         "torsional_stiffness": float(performance.torsional_stiffness),
         "key_gap": float(performance.key_gap),
@@ -23,13 +25,29 @@ def performance_part(performance: Performance) -> dict[str, Any]:
         "damages": [float(damage) for damage in performance.damages],
         "peak_transmission_force": float(performance.peak_transmission_force),
         "peak_combined_load": [float(f) for f in performance.peak_combined_load],
-        "spread": None if performance.spread is None else asdict(performance.spread),
+        "spread": None if spread is None else _spread_part(spread),
     }
 
 
 def sensitivity_part(sensitivity: Sensitivity) -> dict[str, Any]:
     """Return what a design does when inputs move."""
-    return {**asdict(sensitivity), "damage_change": sensitivity.damage_change}
+    return {
+        "damage": sensitivity.damage,
+        "peak": sensitivity.peak,
+        "damage_change": sensitivity.damage_change,
+        "moves": [asdict(move) for move in sensitivity.moves],
+    }
+
+
+def _spread_part(spread: Spread) -> dict[str, Any]:
+    return {
+        "crank_angles": spread.crank_angles,
+        "damages": [list(ends) for ends in spread.damages],
+        "peak_transmission_force": list(spread.peak_transmission_force),
+        "mean_peak": spread.mean_peak,
+        "final_speed": spread.final_speed,
+        "repeats": spread.repeats,
+    }
 
 
 def criterion_part(criterion: Criterion) -> dict[str, Any]:

@@ -4,7 +4,9 @@ from dataclasses import replace
 import numpy
 import pytest
 
+from coupling_design.design.performance import not_checked
 from coupling_design.report.document import build_document, document_text
+from coupling_design.report.document_parts import criterion_part
 
 PERFORMANCE = {
     "torsional_stiffness", "key_gap", "natural_frequency", "damage", "damage_e6",
@@ -25,8 +27,8 @@ def test_top_level(document):
     assert list(document) == [
         "schema_version", "units", "case", "software", "inputs", "reading", "baseline",
         "steps", "chosen", "nearest", "nearest_criteria", "strict_reading",
-        "catalogue_choice", "assumptions", "engine", "rollouts",
-        "coarse_rollouts", "run_time_s",
+        "fatigue_limits", "catalogue_choice", "assumptions", "warnings", "reasons",
+        "remarks", "engine", "rollouts", "coarse_rollouts", "run_time_s",
     ]  # fmt: skip
     assert document["schema_version"] == 1
     assert document["case"]["file"] == "cases/16v280.yaml"
@@ -81,6 +83,7 @@ def test_steps(document):
         "limit": 36120.18,
         "sense": "<=",
         "unit": "N",
+        "verdict": "fail",
         "passes": False,
         "margin": -0.29263,
         "source": "F_min less the static load (eq. 7)",
@@ -90,6 +93,26 @@ def test_steps(document):
     assert steps[3]["optimum"]["conditioning"]["digits"] == 4
     assert steps[2]["optimum"]["kkt_residual"] is None
     assert steps[2]["alternatives"][0]["performance"]["key_gap"] == 0.28e-3
+
+
+def test_a_limit_that_could_not_be_checked_is_neither_passed_nor_failed():
+    part = criterion_part(not_checked("D: power loss", unit="W", missing="no P_KV"))
+    assert part["verdict"] == "not checked"
+    assert (part["passes"], part["limit"], part["margin"]) == (None, None, None)
+    assert part["source"] == "no P_KV"
+
+
+def test_chances_and_moves_of_inputs(document):
+    spread = document["chosen"]["spread"]
+    assert spread["damages"] == [[2.4e-9, 2.7e-9], [6.1e-11, 7.0e-11]]
+    assert spread["mean_peak"] == 33910.0
+    [move] = document["baseline"]["sensitivity"]["moves"]
+    assert move == {
+        "name": "initial speed", "factor": 0.97, "damage": 3.98e-9, "peak": 70170.0,
+    }  # fmt: skip
+    assert document["chosen"]["reduction_range"] == [0.312, 0.401]
+    bound = document["chosen"]["fuel_cut_at_once"]
+    assert bound["peak_transmission_force"] == 59519.7
 
 
 def test_chosen(document):

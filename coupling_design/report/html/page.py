@@ -14,6 +14,7 @@ from coupling_design.design.results import (
     StepResult,
 )
 from coupling_design.design.speed_map import SpeedMap
+from coupling_design.report.chances import describe_at_once, describe_moves
 from coupling_design.report.designs import chosen_facts, trust
 from coupling_design.report.discrete import (
     catalogue_facts,
@@ -102,6 +103,8 @@ def _content(outcome: DesignOutcome, speed_map: SpeedMap | None) -> dict[str, An
         "comparison": comparison_table(outcome),
         "comparison_figure": comparison_figure(outcome),
         "trust": list(trust(outcome.baseline)),
+        "moves": describe_moves(chosen.sensitivity) if chosen else "",
+        "bound": describe_at_once(case, chosen) if chosen else None,
         "steps": [_step(outcome, result) for result in outcome.steps],
         "catalogue": _catalogue(outcome.catalogue_choice),
         "chosen_plane": (
