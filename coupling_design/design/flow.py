@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import closing
 
 from coupling_design.bearing.contact_stress import strict_transmission_force
@@ -14,7 +14,6 @@ from coupling_design.design.baseline import (
     rundown,
 )
 from coupling_design.design.candidate import Candidate
-from coupling_design.design.chain_check import too_few_inertias
 from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
 from coupling_design.design.coupling_checks import size_criteria, torque_criteria
@@ -27,6 +26,7 @@ from coupling_design.design.histories import (
     steps_with_maps,
 )
 from coupling_design.design.performance import none_fails
+from coupling_design.design.remarks import remarks_on, warnings_on
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
@@ -58,12 +58,7 @@ from coupling_design.design.state import (
     connection_option,
     options_of,
 )
-from coupling_design.design.warnings import (
-    case_warnings,
-    run_down_warnings,
-    stop_remark,
-    weight_above_limit,
-)
+from coupling_design.design.warnings import weight_above_limit
 from coupling_design.driveline.parameters import FuelCutStart
 
 Stage = Callable[[FlowState], FlowState]
@@ -140,37 +135,10 @@ def _outcome(state: FlowState, began: float) -> DesignOutcome:
         run_time=time.perf_counter() - began,
         catalogue_choice=choice,
         fatigue_limits=fatigue_limits(case),
-        warnings=tuple(_warnings(state, chosen, shown)),
+        warnings=tuple(warnings_on(state, chosen, shown)),
         reasons=() if chosen else tuple(weight_above_limit(case)),
-        remarks=tuple(_remarks(state, chosen)),
+        remarks=tuple(remarks_on(state, chosen)),
     )
-
-
-def _warnings(
-    state: FlowState, chosen: ChosenDesign | None, shown: ChosenDesign | Optimum | None
-) -> Iterator[str]:
-    """Yield what must be read first: of the case, of both couplings, of the model."""
-    case = state.case
-    yield from case_warnings(case)
-    yield from run_down_warnings(case, state.baseline.performance, "Present coupling")
-    if shown is None:
-        return
-    whose = "Chosen coupling" if chosen else "Nearest coupling"
-    yield from run_down_warnings(case, shown.performance, whose)
-    chain = too_few_inertias(case, float(shown.performance.natural_frequency))
-    if chain is not None:
-        yield f"{whose}: {chain}"
-
-
-def _remarks(state: FlowState, chosen: ChosenDesign | None) -> Iterator[str]:
-    """Yield where a run-down was cut off."""
-    shown = [("Present coupling", state.baseline.performance)]
-    if chosen is not None:
-        shown.append(("Chosen coupling", chosen.performance))
-    for whose, performance in shown:
-        told = stop_remark(state.case, performance)
-        if told is not None:
-            yield f"{whose}: {told}."
 
 
 def _prefixed(progress: Progress, prefix: str) -> Progress:
