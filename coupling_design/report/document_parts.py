@@ -23,13 +23,25 @@ def performance_part(performance: Performance) -> dict[str, Any]:
         "damages": [float(damage) for damage in performance.damages],
         "peak_transmission_force": float(performance.peak_transmission_force),
         "peak_combined_load": [float(f) for f in performance.peak_combined_load],
-        "spread": None if performance.spread is None else asdict(performance.spread),
+        "spread": None
+        if performance.spread is None
+        else _listed(asdict(performance.spread)),
     }
 
 
 def sensitivity_part(sensitivity: Sensitivity) -> dict[str, Any]:
     """Return what a design does when inputs move."""
-    return {**asdict(sensitivity), "damage_change": sensitivity.damage_change}
+    part = {**asdict(sensitivity), "damage_change": sensitivity.damage_change}
+    return dict(_listed(part))
+
+
+def _listed(part: Any) -> Any:
+    """Return plain values with lists for tuples, as JSON gives them back."""
+    if isinstance(part, dict):
+        return {key: _listed(value) for key, value in part.items()}
+    if isinstance(part, list | tuple):
+        return [_listed(value) for value in part]
+    return part
 
 
 def criterion_part(criterion: Criterion) -> dict[str, Any]:

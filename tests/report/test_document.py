@@ -25,8 +25,8 @@ def test_top_level(document):
     assert list(document) == [
         "schema_version", "units", "case", "software", "inputs", "reading", "baseline",
         "steps", "chosen", "nearest", "nearest_criteria", "strict_reading",
-        "catalogue_choice", "assumptions", "engine", "rollouts",
-        "coarse_rollouts", "run_time_s",
+        "fatigue_limits", "catalogue_choice", "assumptions", "warnings", "reasons",
+        "remarks", "engine", "rollouts", "coarse_rollouts", "run_time_s",
     ]  # fmt: skip
     assert document["schema_version"] == 1
     assert document["case"]["file"] == "cases/16v280.yaml"
@@ -81,6 +81,7 @@ def test_steps(document):
         "limit": 36120.18,
         "sense": "<=",
         "unit": "N",
+        "verdict": "fail",
         "passes": False,
         "margin": -0.29263,
         "source": "F_min less the static load (eq. 7)",

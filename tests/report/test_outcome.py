@@ -38,7 +38,8 @@ def test_fits_and_loses_nothing(name, width, request):
     [
         "cases/16v280.yaml",
         "Take diaphragm (high stiffness plan), 192.8 MN*m/rad, tight fit, gap 0 mm.",
-        "Damage per run-down falls by 37 % against the present coupling.",
+        "Damage per run-down falls by 37 % (31 to 40 % when inputs move) against the "
+        "present coupling.",
         "Load limit read strictly (combined load): FAIL; F_c may then reach 28.90 kN.",
         "rated 35 kN*m x service factor 1.3; peak 70 kN*m",
         "transmission_force: the force at the key",
