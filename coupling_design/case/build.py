@@ -9,23 +9,26 @@ from coupling_design.bearing.parameters import (
     ShaftGeometry,
 )
 from coupling_design.case.build_coupling import build_damping_law
-from coupling_design.case.build_engine import at_work, build_engine, excitation_of
+from coupling_design.case.build_duty import (
+    build_duty,
+    crank_mode_of,
+    plain,
+    working_excitation,
+    works_fired,
+)
+from coupling_design.case.build_engine import excitation_of
 from coupling_design.case.build_shutdown import build_shutdown
 from coupling_design.case.case import (
     Case,
     ConnectionKind,
     ConnectionOption,
     CouplingType,
-    Duty,
     Joint,
-    ShortCircuit,
     SourcedValue,
 )
 from coupling_design.case.catalogue import Catalogues, offered
 from coupling_design.case.engine_schema import (
     EngineExcitation,
-    EngineMode,
-    WorkingEngineExcitation,
 )
 from coupling_design.case.kinds import STRESS_COEFFICIENT
 from coupling_design.case.schema import (
@@ -34,22 +37,17 @@ from coupling_design.case.schema import (
     ConnectionChoices,
     CouplingTypeSection,
     DrivelineSection,
-    DutySection,
     LubricationSection,
     PresentConnection,
-    ShortCircuitSection,
 )
-from coupling_design.case.stated import Stated
 from coupling_design.case.unused import unused_values
 from coupling_design.driveline.parameters import (
     Connection,
     Coupling,
-    DampingLaw,
     Driveline,
     ExcitationOrder,
     Resistance,
 )
-from coupling_design.engine import first_crank_mode
 
 
 def build_case(
@@ -62,44 +60,46 @@ def build_case(
     """Return the case a file describes; its relations must have been checked."""
     connections = _connections(section.design_space.connections)
     coupling_types = _coupling_types(section, catalogues, connections)
-    present_type = section.driveline.coupling.type
-    damping_law = next(
-        entry.damping_law for entry in coupling_types if entry.name == present_type
-    )
     excitation, derived = _excitation(section.driveline, file)
-    working, also_derived = _working_excitation(section, file)
+    working, also_derived = working_excitation(section, file)
     joint = _joint(section.driveline.connection)
-    first, second = (
-        _bearing(bearing, f"bearings[{k}]", provenance)
-        for k, bearing in enumerate(section.bearings)
-    )
     return Case(
         name=section.name,
         description=section.description,
         file=file,
         sha256=sha256,
         reading=section.reading.value,
-        driveline=_driveline(section.driveline, damping_law, joint, excitation),
+        driveline=_driveline(section.driveline, coupling_types, joint, excitation),
         joint=joint,
-        present_coupling_type=present_type,
+        present_coupling_type=section.driveline.coupling.type,
         present_connection=section.driveline.connection.kind.value,
         shutdown=build_shutdown(section.shutdown, section.driveline),
         shaft=ShaftGeometry(**section.shaft.model_dump()),
-        bearings=(first, second),
+        bearings=_bearings(section, provenance),
         lubrication=_lubrication(section.lubrication),
         reliability=section.lubrication.reliability.value,
-        duty=_duty(section.duty),
+        duty=build_duty(section.duty),
         coupling_types=coupling_types,
         connections=connections,
         provenance=(*provenance, *derived, *also_derived),
         catalogues=catalogues.files,
         choose=section.design_space.choose,
-        present_driving_inertia=_value(section.driveline.coupling.driving_inertia),
+        present_driving_inertia=plain(section.driveline.coupling.driving_inertia),
         stated_working_excitation=working,
-        works_fired=_works_fired(section),
-        crank_mode=_crank_mode(section.driveline, file),
+        works_fired=works_fired(section),
+        crank_mode=crank_mode_of(section.driveline, file),
         unused=tuple(unused_values(section, coupling_types)),
     )
+
+
+def _bearings(
+    section: CaseSection, provenance: tuple[SourcedValue, ...]
+) -> tuple[Bearing, Bearing]:
+    first, second = (
+        _bearing(bearing, f"bearings[{k}]", provenance)
+        for k, bearing in enumerate(section.bearings)
+    )
+    return first, second
 
 
 def _bearing(
@@ -132,10 +132,12 @@ def _lubrication(section: LubricationSection) -> Lubrication:
 
 def _driveline(
     section: DrivelineSection,
-    damping_law: DampingLaw,
+    coupling_types: tuple[CouplingType, ...],
     joint: Joint,
     excitation: tuple[ExcitationOrder, ...],
 ) -> Driveline:
+    present = section.coupling.type
+    damping_law = next(t.damping_law for t in coupling_types if t.name == present)
     return Driveline(
         engine_inertia=section.engine_inertia.value,
         coupling_inertia=section.coupling_inertia.value,
@@ -163,48 +165,6 @@ def _excitation(
     )
 
 
-def _working_excitation(
-    section: CaseSection, file: str
-) -> tuple[tuple[ExcitationOrder, ...], tuple[SourcedValue, ...]]:
-    """Return the orders at working speed, none if not given, and what was derived."""
-    working, engine = section.duty.excitation, section.driveline.excitation
-    if working is None:
-        return (), ()
-    if isinstance(working, WorkingEngineExcitation):
-        if not isinstance(engine, EngineExcitation):
-            return (), ()  # refused by the relations
-        changed = at_work(engine.engine, working.engine)
-        return excitation_of(changed, file, "duty.excitation")
-    return tuple(ExcitationOrder(**order.model_dump()) for order in working), ()
-
-
-def _works_fired(section: CaseSection) -> bool:
-    """Return whether the orders at working speed are a fired engine's.
-
-    Those written down for it are taken to be.
-    """
-    working, engine = section.duty.excitation, section.driveline.excitation
-    if isinstance(working, WorkingEngineExcitation):
-        return working.engine.mode.value is EngineMode.FIRED
-    if working is not None:
-        return True
-    if isinstance(engine, EngineExcitation):
-        return engine.engine.mode.value is EngineMode.FIRED
-    return False
-
-
-def _crank_mode(section: DrivelineSection, file: str) -> float | None:
-    if not isinstance(section.excitation, EngineExcitation):
-        return None
-    described = section.excitation.engine
-    is_v = described.bank_angle is not None
-    return first_crank_mode(build_engine(described, file), is_v=is_v)
-
-
-def _short_circuit(section: ShortCircuitSection | None) -> ShortCircuit | None:
-    return None if section is None else ShortCircuit(**section.model_dump())
-
-
 def _present_connection(section: PresentConnection, joint: Joint) -> Connection:
     gap = section.gap.value if section.gap else 0.0
     return joint.connect(section.kind.value, gap)
@@ -212,24 +172,6 @@ def _present_connection(section: PresentConnection, joint: Joint) -> Connection:
 
 def _joint(section: PresentConnection) -> Joint:
     return Joint(**section.model_dump(exclude={"kind", "gap"}))
-
-
-def _duty(section: DutySection) -> Duty:
-    speeds = section.working_speed
-    return Duty(
-        working_speed=(speeds.lowest.value, speeds.highest.value),
-        rated_torque=section.rated_torque.value,
-        peak_torque=section.peak_torque.value,
-        service_factor=section.service_factor.value,
-        rare_torque=_value(section.rare_torque),
-        temperature_factor=_value(section.temperature_factor) or 1.0,
-        start_factor=_value(section.start_factor) or 1.0,
-        short_circuit=_short_circuit(section.short_circuit),
-    )
-
-
-def _value(stated: Stated[float] | None) -> float | None:
-    return None if stated is None else stated.value
 
 
 def _coupling_type(section: CouplingTypeSection) -> CouplingType:

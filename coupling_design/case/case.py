@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from enum import StrEnum
 
 from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
 from coupling_design.case.catalogue_sizes import CatalogueFile, CouplingSize
+from coupling_design.case.words import Choice as Choice
+from coupling_design.case.words import ConnectionKind as ConnectionKind
+from coupling_design.case.words import LoadLimitReading as LoadLimitReading
+from coupling_design.case.words import Plan as Plan
+from coupling_design.case.words import Source as Source
+from coupling_design.case.words import StartWord as StartWord
 from coupling_design.driveline.parameters import (
     Connection,
     DampingLaw,
@@ -17,59 +22,6 @@ from coupling_design.driveline.parameters import (
     TightFit,
 )
 from coupling_design.errors import CaseError
-
-
-class LoadLimitReading(StrEnum):
-    """What the bearing's load limit is compared with.
-
-    `transmission_force` is the paper's reading, the force at the key;
-    `combined_load` the strict one, the load at the bearing.
-    """
-
-    TRANSMISSION_FORCE = "transmission_force"
-    COMBINED_LOAD = "combined_load"
-
-
-class StartWord(StrEnum):
-    """What the line does when a run-down begins, where no fuel is cut."""
-
-    SETTLED = "settled"
-    QUASI_STEADY = "quasi_steady"
-
-
-class Plan(StrEnum):
-    """Soft coupling, or one stiff enough to lie above every excitation."""
-
-    ELASTIC = "elastic"
-    HIGH_STIFFNESS = "high_stiffness"
-
-
-class ConnectionKind(StrEnum):
-    """How the hub sits on the generator shaft."""
-
-    KEY = "key"
-    SPLINE = "spline"
-    TIGHT_FIT = "tight_fit"
-
-
-class Choice(StrEnum):
-    """What the design settles on: the ideal stiffness, or the best real size."""
-
-    OPTIMUM = "optimum"
-    CATALOGUE = "catalogue"
-
-
-class Source(StrEnum):
-    """Where a value comes from."""
-
-    PAPER = "paper"
-    STANDARD = "standard"
-    DERIVED = "derived"
-    ASSUMED = "assumed"
-    FITTED = "fitted"
-    CATALOGUE = "catalogue"
-    MEASURED = "measured"
-    INVENTED = "invented"
 
 
 @dataclass(frozen=True)

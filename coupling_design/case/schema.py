@@ -6,21 +6,17 @@ values is in `relations`.
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, Discriminator, Field, Tag
+from pydantic import Field
 
 from coupling_design.bearing.parameters import BearingType, Cleanliness
 from coupling_design.case.case import Choice, ConnectionKind, LoadLimitReading, Plan
-from coupling_design.case.engine_schema import (
-    EngineExcitation,
-    WorkingEngineExcitation,
-)
+from coupling_design.case.duty_schema import DutySection
+from coupling_design.case.excitation_schema import Excitation
 from coupling_design.case.kinds import (
-    Angle,
     AngularSpeed,
     Damping,
-    Factor,
     Force,
     Friction,
     Gap,
@@ -34,7 +30,6 @@ from coupling_design.case.kinds import (
     Stiffness,
     Stress,
     StressCoefficient,
-    Torque,
     Viscosity,
 )
 from coupling_design.case.shutdown_schema import ShutdownSection
@@ -60,25 +55,6 @@ class PresentConnection(Section):
     contact_stiffness: Stated[Stiffness] | None = None
     oil_damping: Stated[Damping] | None = None
     smoothing: Stated[PerLength] | None = None
-
-
-class Harmonic(Section):
-    """One order of the engine torque."""
-
-    order: Stated[Number]
-    amplitude: Stated[Torque]
-    phase: Stated[Angle]
-
-
-def _form_of_excitation(written: Any) -> str:
-    return "engine" if isinstance(written, dict | BaseModel) else "orders"
-
-
-Orders = Annotated[tuple[Harmonic, ...], Field(min_length=1)]
-Excitation = Annotated[
-    Annotated[Orders, Tag("orders")] | Annotated[EngineExcitation, Tag("engine")],
-    Discriminator(_form_of_excitation),
-]
 
 
 class ShaftResistance(Section):
@@ -130,41 +106,6 @@ class LubricationSection(Section):
     viscosity: Stated[Viscosity]
     cleanliness: Stated[Cleanliness]
     reliability: Stated[Reliability]
-
-
-class SpeedRange(Section):
-    """A range of speeds."""
-
-    lowest: Stated[AngularSpeed]
-    highest: Stated[AngularSpeed]
-
-
-class ShortCircuitSection(Section):
-    """A short circuit at the generator's terminals."""
-
-    air_gap_torque: Stated[PositiveTorque]
-    sudden_load_factor: Stated[Factor]
-
-
-WorkingExcitation = Annotated[
-    Annotated[Orders, Tag("orders")]
-    | Annotated[WorkingEngineExcitation, Tag("engine")],
-    Discriminator(_form_of_excitation),
-]
-
-
-class DutySection(Section):
-    """What the set works at."""
-
-    working_speed: SpeedRange
-    rated_torque: Stated[PositiveTorque]
-    peak_torque: Stated[PositiveTorque]
-    service_factor: Stated[Factor]
-    rare_torque: Stated[PositiveTorque] | None = None
-    short_circuit: ShortCircuitSection | None = None
-    temperature_factor: Stated[Factor] | None = None
-    start_factor: Stated[Factor] | None = None
-    excitation: WorkingExcitation | None = None
 
 
 class StiffnessRange(Section):

@@ -111,6 +111,8 @@ class UnitError(ValueError):
 def to_si(number: float, unit: str, si_unit: str) -> float | None:
     """Return a number in its SI unit; None if the unit is of another dimension."""
     factor = _USUAL.get(si_unit, {}).get(unit)
+    if factor is None and unit in _FACTORS and si_unit in _USUAL:
+        return None  # a usual unit of another dimension, told without pint
     si = _convert(number, unit, si_unit) if factor is None else number * factor
     if si is None:
         return None

@@ -18,15 +18,18 @@ from coupling_design.design.conditioning import conditioning
 from coupling_design.design.constraints import load_constraints
 from coupling_design.design.coupling_checks import size_criteria, torque_criteria
 from coupling_design.design.discrete import choose_size, settle
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.fatigue_limits import fatigue_limits
 from coupling_design.design.histories import (
     chosen_plane,
     rundown_history,
     steps_with_maps,
 )
+from coupling_design.design.outcome_parts import (
+    fuel_cut_at_once,
+    outcome_remarks,
+    outcome_warnings,
+)
 from coupling_design.design.performance import none_fails
-from coupling_design.design.remarks import remarks_on, warnings_on
 from coupling_design.design.results import (
     ChosenDesign,
     Criterion,
@@ -59,7 +62,6 @@ from coupling_design.design.state import (
     options_of,
 )
 from coupling_design.design.warnings import weight_above_limit
-from coupling_design.driveline.parameters import FuelCutStart
 
 Stage = Callable[[FlowState], FlowState]
 
@@ -135,9 +137,9 @@ def _outcome(state: FlowState, began: float) -> DesignOutcome:
         run_time=time.perf_counter() - began,
         catalogue_choice=choice,
         fatigue_limits=fatigue_limits(case),
-        warnings=tuple(warnings_on(state, chosen, shown)),
+        warnings=tuple(outcome_warnings(state, chosen, shown)),
         reasons=() if chosen else tuple(weight_above_limit(case)),
-        remarks=tuple(remarks_on(state, chosen)),
+        remarks=tuple(outcome_remarks(state, chosen)),
     )
 
 
@@ -170,23 +172,11 @@ def _chosen(state: FlowState, solution: Solution) -> ChosenDesign:
         ),
         sensitivity=moved,
         reduction_range=reduction_range(state.baseline.sensitivity, moved),
-        fuel_cut_at_once=_at_once(evaluator, performance)
+        fuel_cut_at_once=fuel_cut_at_once(evaluator, performance)
         if solution.plan is Plan.HIGH_STIFFNESS
         else None,
         size=candidate.size.name if candidate.size else None,
     )
-
-
-def _at_once(evaluator: Evaluator, performance: Performance) -> Performance | None:
-    """Return what a design does if the fuel's torque goes at once, the bound.
-
-    None where the run-down has another equation, its fuel being cut over a time.
-    """
-    if evaluator.case.shutdown.fuel_cut_time:
-        return None
-    point = performance.torsional_stiffness, performance.key_gap
-    columns = evaluator.run_downs.variables.columns([point], evaluator.chances)
-    return evaluator.performances_from(columns, FuelCutStart(0.0))[0]
 
 
 def _histories(

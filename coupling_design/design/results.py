@@ -7,9 +7,9 @@ from enum import StrEnum
 
 from coupling_design.case.case import Case, Plan, SourcedValue
 from coupling_design.design.catalogue_choice import CatalogueChoice
-from coupling_design.design.design_map import CoarseStep as CoarseStep
-from coupling_design.design.design_map import DesignMap as DesignMap
 from coupling_design.design.fatigue_limits import FatigueLimits
+from coupling_design.design.maps import CoarseStep as CoarseStep
+from coupling_design.design.maps import DesignMap as DesignMap
 from coupling_design.design.performance import Criterion as Criterion
 from coupling_design.design.performance import Performance as Performance
 from coupling_design.design.performance import Sense as Sense

@@ -1,4 +1,4 @@
-"""Damage and peak over the plane of stiffness and gap, as plain numbers."""
+"""A map of damage and peak force over the plane, and how good it is."""
 
 from __future__ import annotations
 

@@ -1,20 +1,22 @@
-"""What is to be said of a design as a whole: what to read first, what was cut off."""
+"""What goes with a design: what to read first, its bound, where it was cut off."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from coupling_design.design.chain_check import too_few_inertias
-from coupling_design.design.results import ChosenDesign, Optimum
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.results import ChosenDesign, Optimum, Performance
 from coupling_design.design.state import FlowState
 from coupling_design.design.warnings import (
     case_warnings,
     run_down_warnings,
     stop_remark,
 )
+from coupling_design.driveline.parameters import FuelCutStart
 
 
-def warnings_on(
+def outcome_warnings(
     state: FlowState, chosen: ChosenDesign | None, shown: ChosenDesign | Optimum | None
 ) -> Iterator[str]:
     """Yield what must be read first: of the case, of both couplings, of the model."""
@@ -30,7 +32,7 @@ def warnings_on(
         yield f"{whose}: {chain}"
 
 
-def remarks_on(state: FlowState, chosen: ChosenDesign | None) -> Iterator[str]:
+def outcome_remarks(state: FlowState, chosen: ChosenDesign | None) -> Iterator[str]:
     """Yield where a run-down was cut off."""
     shown = [("Present coupling", state.baseline.performance)]
     if chosen is not None:
@@ -39,3 +41,17 @@ def remarks_on(state: FlowState, chosen: ChosenDesign | None) -> Iterator[str]:
         told = stop_remark(state.case, performance)
         if told is not None:
             yield f"{whose}: {told}."
+
+
+def fuel_cut_at_once(
+    evaluator: Evaluator, performance: Performance
+) -> Performance | None:
+    """Return what a design does if the fuel's torque goes at once, the bound.
+
+    None where the run-down has another equation, its fuel being cut over a time.
+    """
+    if evaluator.case.shutdown.fuel_cut_time:
+        return None
+    point = performance.torsional_stiffness, performance.key_gap
+    columns = evaluator.run_downs.variables.columns([point], evaluator.chances)
+    return evaluator.performances_from(columns, FuelCutStart(0.0))[0]
