@@ -53,7 +53,7 @@ def what_holds(problem: DesignProblem, performance: Performance) -> str:
         _falls(problem, performance, _beside(problem, performance), -_FLAT)
     )
     if falls:
-        return f"nothing: stopped short, {problem.objective.value} {'; '.join(falls)}"
+        return f"nothing: {problem.objective.value} {'; '.join(falls)}"
     return "no constraint and no bound: an inner minimum, larger at each bound"
 
 
@@ -115,4 +115,4 @@ def _falling(name: str, difference: float) -> str:
     if difference <= _SAME:
         return f"is flat towards {name}: as much to {_FLAT:g}"
     less = f"{-100 * math.expm1(-difference):.3g} % less"
-    return f"falls on towards {name}, where there is {less}"
+    return f"falls on towards {name}, where there is {less}: stopped short"

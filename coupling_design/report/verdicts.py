@@ -52,10 +52,8 @@ def answer(outcome: DesignOutcome) -> Iterable[Text]:
     chosen = outcome.chosen
     if chosen is None:
         yield Text("No design meets the limits.", style=VERDICT_STYLES["FAIL"])
-        yield from map(Text, outcome.reasons)
-        for criterion in outcome.nearest_criteria:
-            if criterion.fails:
-                yield Text(_miss(criterion))
+        misses = (_miss(c) for c in outcome.nearest_criteria if c.fails)
+        yield from map(Text, outcome.reasons or misses)
     else:
         yield Text(_design(chosen), style=VERDICT_STYLES["PASS"])
         reduction = describe_reduction(chosen, outcome.baseline.digits)

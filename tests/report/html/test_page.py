@@ -58,6 +58,18 @@ def test_sections_stand_in_order(parsed):
     ]
 
 
+def test_warnings_are_read_first_and_escaped(drawn, speed_map, outline):
+    told = html_report(replace(drawn, warnings=(f"Cut off {EVIL}",)), speed_map)
+    assert EVIL not in told
+    page_of_it = outline(told)
+    section = next(
+        e for e in page_of_it.elements if e.attributes.get("id") == "summary"
+    )
+    first, _, _ = section.text.partition("against its limits")
+    assert "Read first" in first
+    assert "Cut off" in first
+
+
 def test_the_first_table_is_the_summary(parsed, drawn):
     table = next(e for e in parsed.elements if e.tag == "table")
     for heading in ("criterion", "value", "limit", "margin %", "verdict"):
