@@ -54,7 +54,7 @@ REFUSED = {
     "octal_number": [
         (12, "driveline.excitation[0].order", "which YAML 1.1 counts in eights; write"),
     ],
-    "one_step": [(16, "shutdown.time_step", "allowed are 100 or more: write a shorter")],
+    "one_step": [(16, "shutdown.time_step", "allowed are 100 or more: write a")],
     "order_1e300": [(12, "driveline.excitation[0].order", "found '1e300', allowed")],
     "psi_8": [
         (34, "coupling_types[0].damping.relative_damping",
