@@ -32,7 +32,7 @@ def load_trace(entry: str, case_file: str, cycle: Cycle) -> PressureTrace:
     """Return the trace of a file next to its case, or raise CaseError."""
     location = Path(os.path.normpath(Path(case_file).parent / entry))
     file = str(location)
-    rows = _rows(decode(read_bytes(location, file), file))
+    rows = _rows(decode(read_bytes(location, file), file), file)
     if not rows:
         raise CaseError([f"{file}:1: the file is empty; begin it with '{_EXAMPLE}'"])
     scales = _scales(*rows[0], file)
@@ -40,18 +40,21 @@ def load_trace(entry: str, case_file: str, cycle: Cycle) -> PressureTrace:
     return _checked(points, cycle, file)
 
 
-def _rows(text: str) -> list[tuple[int, list[str]]]:
+def _rows(text: str, file: str) -> list[tuple[int, list[str]]]:
     """Return the cells of each line that has some, with its number."""
     lines = enumerate(text.splitlines(), start=1)
     kept = [(n, line) for n, line in lines if line.strip() and line.lstrip()[0] != "#"]
-    return [
-        (n, cells)
-        for (n, _line), cells in zip(
-            kept,
-            csv.reader((line for _, line in kept), quoting=csv.QUOTE_NONE),
-            strict=True,
-        )
-    ]
+    return [(n, _cells(line, n, file)) for n, line in kept]
+
+
+def _cells(text: str, line: int, file: str) -> list[str]:
+    try:
+        return next(csv.reader([text], quoting=csv.QUOTE_NONE))
+    except csv.Error:
+        raise CaseError(
+            [f"{file}:{line}: found a field of up to {len(text)} characters, allowed "
+             f"are {csv.field_size_limit()}; write a number, such as '-360, 1.02'"]
+        ) from None  # fmt: skip
 
 
 def _scales(line: int, cells: list[str], file: str) -> tuple[float, float]:

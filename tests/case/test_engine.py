@@ -148,6 +148,10 @@ def test_a_trace_in_other_units_is_the_same(load, valid, tmp_path):
     ("content", "words"),
     [
         (None, "trace.csv: there is no such file"),
+        (
+            "a [deg],p [bar]\n-360,1" + 140_000 * "0",
+            "trace.csv:2: found a field of up to 140006 characters, allowed are 131072",
+        ),
         ("", "trace.csv:1: the file is empty; begin it with 'crank angle [deg]"),
         ("-360, 1.0\n", "trace.csv:1: found '-360, 1.0', expected two headings"),
         ("a [deg], p [mm]\n", "found '[mm]', that is a length, expected a pressure"),

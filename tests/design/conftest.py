@@ -19,6 +19,7 @@ from coupling_design.design.state import FlowState, connection_option
 
 HERE = Path(__file__).parent
 CASES = HERE.parents[1] / "cases"
+INPUTS = HERE.parent / "inputs"
 SMALL_EFFORT = Effort(
     stiffnesses=10, survey_gaps=2, stiffnesses_with_gap=4, gaps=2, starts=2
 )
@@ -31,6 +32,18 @@ TINY_EFFORT = Effort(
 def quick():
     """The elastic type fails the load limit, the stiff one passes."""
     return load_case(HERE / "quick.yaml")
+
+
+@pytest.fixture(scope="session")
+def tiny():
+    """Return a case of tests/inputs by its name, base having nothing to warn of."""
+    return lambda name="base": load_case(INPUTS / f"{name}.yaml")
+
+
+@pytest.fixture(scope="session")
+def load_with():
+    """Return a case of tests/inputs with values in place of its own."""
+    return lambda name, *values: load_case(INPUTS / f"{name}.yaml", values)
 
 
 @pytest.fixture(scope="session")
