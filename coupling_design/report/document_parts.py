@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
-from coupling_design.design.chance import Spread
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
+from coupling_design.design.chance import Spread
 from coupling_design.design.performance import Criterion, Performance, Verdict
 from coupling_design.design.sensitivity import Sensitivity
 
