@@ -6,7 +6,6 @@ from dataclasses import asdict
 from typing import Any
 
 from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
-from coupling_design.design.chance import Spread
 from coupling_design.design.performance import Criterion, Performance, Verdict
 from coupling_design.design.sensitivity import Sensitivity
 
@@ -15,7 +14,6 @@ _PASSES = {Verdict.PASS: True, Verdict.FAIL: False, Verdict.NOT_CHECKED: None}
 
 def performance_part(performance: Performance) -> dict[str, Any]:
     """Return what a design does."""
-    spread = performance.spread
     return {
         "torsional_stiffness": float(performance.torsional_stiffness),
         "key_gap": float(performance.key_gap),
@@ -25,29 +23,25 @@ def performance_part(performance: Performance) -> dict[str, Any]:
         "damages": [float(damage) for damage in performance.damages],
         "peak_transmission_force": float(performance.peak_transmission_force),
         "peak_combined_load": [float(f) for f in performance.peak_combined_load],
-        "spread": None if spread is None else _spread_part(spread),
+        "spread": None
+        if performance.spread is None
+        else _listed(asdict(performance.spread)),
     }
 
 
 def sensitivity_part(sensitivity: Sensitivity) -> dict[str, Any]:
     """Return what a design does when inputs move."""
-    return {
-        "damage": sensitivity.damage,
-        "peak": sensitivity.peak,
-        "damage_change": sensitivity.damage_change,
-        "moves": [asdict(move) for move in sensitivity.moves],
-    }
+    part = {**asdict(sensitivity), "damage_change": sensitivity.damage_change}
+    return dict(_listed(part))
 
 
-def _spread_part(spread: Spread) -> dict[str, Any]:
-    return {
-        "crank_angles": spread.crank_angles,
-        "damages": [list(ends) for ends in spread.damages],
-        "peak_transmission_force": list(spread.peak_transmission_force),
-        "mean_peak": spread.mean_peak,
-        "final_speed": spread.final_speed,
-        "repeats": spread.repeats,
-    }
+def _listed(part: Any) -> Any:
+    """Return plain values with lists for tuples, as JSON gives them back."""
+    if isinstance(part, dict):
+        return {key: _listed(value) for key, value in part.items()}
+    if isinstance(part, list | tuple):
+        return [_listed(value) for value in part]
+    return part
 
 
 def criterion_part(criterion: Criterion) -> dict[str, Any]:
