@@ -7,7 +7,8 @@ Sources
     they are written out below, from rest twist until they repeat.
 [2] The linear forced response about the mean torque, of a joint that stays closed.
 [3] Even turning, the start without any vibration, to which it comes without orders.
-[4] Central differences of the settled state, extrapolated from two steps.
+[4] Central differences of the settled state, extrapolated from two steps: as precise as
+    1e-6 of themselves, what the two differ by, and what a state closes to by the step.
 
 The held line: J_i w_i' = torques + J_i dec with dec = (all resistances at omega0) /
 (sum of J), the orders at the crank's mean position, which turns at omega0. Turning the
@@ -23,10 +24,11 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from coupling_design.case import load_case
 from coupling_design.driveline.held_line import HeldLine
 from coupling_design.driveline.initial_state import quasi_steady_state
 from coupling_design.driveline.lift_off import LiftOff
-from coupling_design.driveline.parameters import LossFactorDamping
+from coupling_design.driveline.parameters import LossFactorDamping, TightFit
 from coupling_design.driveline.periodic_orbit import PeriodicOrbit
 from coupling_design.driveline.settled_state import period_of, settled_state
 from coupling_design.driveline.start import StartingStates
@@ -35,6 +37,7 @@ from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import CASE_FILE, shipped_case
 
 CLOSE = 1e-6  # of the mean torque
+PROMISE = 1e-3  # of what the case's step may be off by
 ANGLES = 16
 NONE = ca.SX.sym("none", 0)
 NO_VALUES = np.empty(0)
@@ -50,17 +53,16 @@ def louder(driveline, factor):
     return dataclasses.replace(driveline, excitation=orders)
 
 
+@functools.cache
 def opening_line():
-    """Return a stiff marine coupling with a key, driven so hard that it lifts off."""
-    from coupling_design.case import load_case
+    """Return the marine set driven so hard that its key lifts off, and still settles.
 
+    A tenth harder the vibration is chaotic: nothing to compare.
+    """
     driveline = load_case(MARINE_FILE).driveline
-    coupling = dataclasses.replace(
-        driveline.coupling,
-        torsional_stiffness=207.7659e6,
-        damping_law=LossFactorDamping(0.02),
-    )
-    return louder(dataclasses.replace(driveline, coupling=coupling), 2.0)
+    law = LossFactorDamping(0.9 / (2 * math.pi))  # its psi of 0.9, as eta
+    coupling = dataclasses.replace(driveline.coupling, damping_law=law)
+    return louder(dataclasses.replace(driveline, coupling=coupling), 27.0)
 
 
 def shutdown_of_the_shipped_case():
@@ -155,7 +157,11 @@ class Held:
         from scipy.integrate import ode
 
         solver = ode(self.rate)
-        solver.set_integrator("dop853", rtol=1e-11, atol=1e-14, nsteps=10**8)
+        # A longer step is taken for stiffness where the key hardly swings any more.
+        longest = 1 / math.sqrt(self.kg / self.J[1])
+        solver.set_integrator(
+            "dop853", rtol=1e-11, atol=1e-14, nsteps=10**8, max_step=longest
+        )
         solver.set_initial_value(self.rest(), 0.0)
         turns = math.ceil(seconds * self.speed / period)
         states = []
@@ -185,7 +191,7 @@ def linear_states(driveline, shutdown):
     )
 
 
-def far_apart(what, source, driveline, shutdown, ours, theirs, remark=""):
+def far_apart(what, source, driveline, shutdown, ours, theirs, tolerance=CLOSE):
     """Return by how much the joints' torques differ, coupling then key."""
     held = Held(driveline, shutdown.initial_speed)
     apart = np.abs(held.torques(ours) - held.torques(theirs)).max(axis=1)
@@ -196,8 +202,7 @@ def far_apart(what, source, driveline, shutdown, ours, theirs, remark=""):
             0.0,
             float(value),
             "-",
-            CLOSE,
-            remark,
+            tolerance,
         )
         for joint, value in zip(("coupling", "key"), apart, strict=True)
     ]
@@ -218,26 +223,24 @@ def closed_joint_in_other_hands():
     )
 
 
-@functools.cache
-def opened():
-    """Return a line whose gap opens, shutdown, our vibration and that by [1]."""
+def open_gap_in_other_hands():
+    """A key that lifts off its flank each period; our own step, and a tenth of it."""
     driveline, shutdown = opening_line(), shutdown_of_the_shipped_case()
     held = Held(driveline, shutdown.initial_speed)
-    theirs = held.settled(4.0, ANGLES, period_of(driveline.excitation))
-    return driveline, shutdown, orbit_of(driveline, shutdown), theirs
-
-
-def open_gap_in_other_hands():
-    """A stiff coupling with a key that lifts off its flank each period."""
-    driveline, shutdown, ours, theirs = opened()
-    return far_apart(
-        "a key that lifts off, settled",
-        "DOP853, tolerance 1e-11, 4 s from rest twist",
-        driveline,
-        shutdown,
-        ours.states,
-        theirs,
-    )
+    theirs = held.settled(8.0, ANGLES, period_of(driveline.excitation))
+    found = []
+    for time_step, tolerance in ((1e-4, PROMISE), (1e-5, CLOSE)):
+        finer = dataclasses.replace(shutdown, time_step=time_step)
+        found += far_apart(
+            f"a key that lifts off, settled, step {time_step:g} s",
+            "DOP853, tolerance 1e-11, 8 s from rest twist",
+            driveline,
+            shutdown,
+            orbit_of(driveline, finer).states,
+            theirs,
+            tolerance,
+        )
+    return found
 
 
 def marched_beside_linear():
@@ -290,18 +293,18 @@ def test_agrees_with_its_source(group):
 
 def test_the_key_lifts_off():
     """Else the comparison with an open gap would be that with a closed one."""
-    driveline, shutdown, ours, _ = opened()
+    driveline, shutdown = opening_line(), shutdown_of_the_shipped_case()
+    ours = orbit_of(driveline, shutdown)
     b = driveline.connection.gap / (2 * driveline.connection.radius)
     twists = ours.states[1] - ours.states[2]
     assert ours.repeats
     assert LiftOff(driveline, shutdown, NONE).happens(NO_VALUES)
-    assert np.abs(twists).min() < b - 1 / (
-        driveline.connection.smoothing * driveline.connection.radius
-    )
+    assert np.abs(twists).min() < b < np.abs(twists).max()
 
 
 def test_the_linear_answer_is_another_where_the_gap_opens():
-    driveline, shutdown, ours, _ = opened()
+    driveline, shutdown = opening_line(), shutdown_of_the_shipped_case()
+    ours = orbit_of(driveline, shutdown)
     linear = linear_states(driveline, shutdown)
     rows = far_apart("", "", driveline, shutdown, ours.states, linear)
     assert max(row.ours for row in rows) > 1e-2
@@ -312,8 +315,6 @@ def test_without_orders_it_is_even_turning(kind):
     """[3], to 1e-12."""
     driveline = louder(shipped_case().driveline, 0.0)
     if kind == "tight":
-        from coupling_design.driveline.parameters import TightFit
-
         driveline = dataclasses.replace(driveline, connection=TightFit(radius=0.1))
     speed = shipped_case().shutdown.initial_speed
     settled = np.asarray(ca.DM(settled_state(driveline, speed))).ravel()
@@ -342,7 +343,8 @@ def starting(driveline, shutdown):
 def test_slopes_are_those_of_differences(opens, variable):
     """[4]; turned as a whole the line is the same, so angles are taken to the last."""
     driveline = opening_line() if opens else shipped_case().driveline
-    starts, point = starting(driveline, shutdown_of_the_shipped_case())
+    shutdown = shutdown_of_the_shipped_case()
+    starts, point = starting(driveline, shutdown)
 
     def twists(states):
         return np.concatenate([states[:2] - states[2], states[3:]])
@@ -355,10 +357,15 @@ def test_slopes_are_those_of_differences(opens, variable):
     def central(share):
         return (at(share) - at(-share)) / (2 * share)
 
+    step = 1e-4
+    rounding = 1e-11 / step  # that near an orbit closes, angles by 1, speeds by omega0
+
     ours = starts(point[:, np.newaxis], 1, with_slopes=True).slopes[0, :, variable]
     ours = twists(ours) * point[variable]
-    expected = (4 * central(2e-4) - central(4e-4)) / 3
-    scale = np.abs(expected[:2]).max(), np.abs(expected[2:]).max()
-
-    assert np.abs(ours[:2] - expected[:2]).max() < 1e-5 * scale[0]
-    assert np.abs(ours[2:] - expected[2:]).max() < 1e-5 * scale[1]
+    fine, coarse = central(step / 2), central(step)
+    expected, doubts = fine + (fine - coarse) / 3, np.abs(fine - coarse) / 3
+    for part, unit in ((slice(2), 1.0), (slice(2, None), shutdown.initial_speed)):
+        largest, doubt = np.abs(expected[part]).max(), doubts[part].max()
+        assert doubt < 1e-3 * largest
+        allowed = 1e-6 * largest + doubt + rounding * unit
+        assert np.abs(ours[part] - expected[part]).max() < allowed
