@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from coupling_design.arithmetic import Scalar
 from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case import load_case
 from coupling_design.case.case import Case
@@ -38,11 +39,11 @@ from studies.initial_speed import (
 TITLE = "The start of the run-down"
 SETTLED, EVENLY = "settled", "even turning (before)"
 _ANGLES = 24
-MOVED = (
+_SENTENCE = (
     "What moved and why: the shafts no longer start turning evenly, which put the "
     "orders' own vibration into the line as a step and left its ringing in the peak; "
-    "and damage is the mean over crank angle and gravity's direction, no longer that "
-    "of angle 0."
+    "and damage is the mean over crank angle and gravity's direction, peaks the "
+    "largest, no longer those of angle 0. "
 )
 
 
@@ -95,8 +96,7 @@ def fragment(found: StartStudy) -> str:
     """Return the part's Markdown: starts, what moved and why, what moves the answer."""
     return "\n\n".join(
         (
-            MOVED,
-            f"Over {_ANGLES} crank angles, least to most (mean); D of bearing 1 in 1e-6:",
+            f"Over {_ANGLES} crank angles, least to most (mean); D of bearing 1, 1e-6:",
             _table(
                 (
                     "start",
@@ -108,9 +108,9 @@ def fragment(found: StartStudy) -> str:
                 map(_row, found.starts),
             ),
             _two_starts(found),
-            "When one input moves, the others kept, judged over crank angle and gravity; "
-            "lowest to highest change in %. Run-downs are a quarter longer than the "
-            "case's here, so that the faster ones come to rest too:",
+            "When one input moves, the others kept, judged over crank angle and "
+            "gravity; lowest to highest change in %. Run-downs are a quarter longer "
+            "than the case's here, so that the faster ones come to rest too:",
             _table(
                 (
                     "input",
@@ -125,9 +125,9 @@ def fragment(found: StartStudy) -> str:
             ),
             _reduction(found),
             "What the initial speed does to D within 3 % of itself, in 25 steps: from "
-            "one crank angle and direction of gravity, and judged over them. A run-down "
-            "that begins a little faster meets the resonance with gravity elsewhere: "
-            "what one run-down shows of the speed is chance.",
+            "one crank angle and direction of gravity, and judged over them. A "
+            "run-down that begins a little faster meets the resonance with gravity "
+            "elsewhere: what one run-down shows of the speed is chance.",
             _table(
                 ("set", "coupling", "one run-down, %", "judged, %"),
                 map(_reach, found.speeds),
@@ -140,9 +140,9 @@ def _two_starts(found: StartStudy) -> str:
     by_name = {started.name: started.stiff for started in found.starts}
     ends = {name: _ends(by_name[name]) for name in (SETTLED, EVENLY)}
     return (
-        f"The stiff coupling's peak is {ends[SETTLED]} from the settled start, the same "
-        f"at every crank angle, and {ends[EVENLY]} from even turning: what swung with "
-        "the crank angle was the start's own ringing. Its D still moves with the "
+        f"The stiff coupling's peak is {ends[SETTLED]} from the settled start, the "
+        f"same at every crank angle, and {ends[EVENLY]} from even turning: what swung "
+        "with the crank angle was the start's own ringing. Its D still moves with the "
         "direction of gravity, whichever the start."
     )
 
@@ -152,6 +152,27 @@ def _ends(performance: Performance) -> str:
     low, high = (significant(end / 1e3) for end in spread.peak_transmission_force)
     mean = significant(spread.mean_peak / 1e3)
     return f"{low} kN" if low == high else f"{low} to {high} kN (mean {mean} kN)"
+
+
+def moved(case: Case) -> str:
+    """Return what the settled start and the mean over chance moved, and why."""
+    evenly = replace(case.shutdown, start=QuasiSteadyStart(), crank_angles=1)
+    other = replace(case, shutdown=evenly)
+    told = []
+    for name, (each, point) in zip(("present", "stiff"), couplings(case), strict=True):
+        before = Evaluator(other, each.candidate).performance(*point)
+        now = each.performance(*point)
+        told += [
+            f"D {name} {_pair(before.damage, now.damage, PAPER_UNIT)}e-6",
+            "peak F_c "
+            + _pair(before.peak_transmission_force, now.peak_transmission_force, 1e-3)
+            + " kN",
+        ]
+    return f"{_SENTENCE}From the old start to this one: {', '.join(told)}."
+
+
+def _pair(before: Scalar, now: Scalar, unit: float) -> str:
+    return " to ".join(significant(float(each) * unit) for each in (before, now))
 
 
 def _row(started: Started) -> tuple[str, ...]:
