@@ -200,9 +200,9 @@ def why_less(stiff: Performance) -> str:
         raise TypeError("what it does by chance takes more than one crank angle")
     low, high = (PAPER_UNIT * damage for damage in stiff.spread.damages[0])
     return (
-        "The paper prints two digits and one run-down, without the direction of "
-        f"gravity at its start. By that alone D lies between {significant(low)} and "
-        f"{significant(high)}; ours is the mean."
+        "The paper prints two digits and one run-down, without the crank angle and the "
+        f"direction of gravity it starts from. By these alone D lies between "
+        f"{significant(low)} and {significant(high)}; ours is the mean."
     )
 
 

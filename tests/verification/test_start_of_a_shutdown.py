@@ -2,8 +2,8 @@
 
 Sources
 -------
-[1] An independent code of the same driveline, settled before t = 0 by its own
-    integration: peaks to five digits, means over 24 evenly spread crank angles.
+[1] An independent code of the same driveline and loads; its figures were given as
+    numbers, most of them to four or five digits, without what it integrates with.
 """
 
 import functools
