@@ -88,8 +88,8 @@ def _ours(subject: Subject, space: DesignSpace) -> tuple[Found, DesignProblem]:
 
 
 def _cost(evaluator: Evaluator) -> int:
-    """Return the rollouts so far; one of half the step counts twice."""
-    return evaluator.rollouts + 2 * evaluator.refined.rollouts
+    """Return the rollouts so far, those to look around with too; half a step is two."""
+    return evaluator.all_rollouts + 2 * evaluator.refined.all_rollouts
 
 
 def _warm_up(evaluator: Evaluator, space: DesignSpace) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -19,7 +19,11 @@ from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case import Case, ConnectionKind, load_case
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.joint import joint_start, joint_step
-from coupling_design.driveline.parameters import KeyedConnection, ProportionalDamping
+from coupling_design.driveline.parameters import (
+    KeyedConnection,
+    ProportionalDamping,
+    QuasiSteadyStart,
+)
 from coupling_design.rollout.sensitivities import (
     join_sensitivities,
     with_sensitivities,
@@ -42,7 +46,7 @@ class Subject:
 
     def __init__(self, path: Path = CASE, refinement: int = 1) -> None:
         self._path = path
-        self.case: Case = load_case(path)
+        self.case: Case = _one_even_start(load_case(path))
         self.time_step = self.case.shutdown.time_step / refinement
         option = next(
             option
@@ -85,11 +89,13 @@ class Subject:
     ) -> Batch:
         """Return the batch of given (stiffness, gap).
 
-        It starts from the shutdown's speed, or another [rad/s].
+        It starts turning evenly, as the peers do, at the shutdown's speed or another
+        [rad/s].
         """
         columns = np.array(points).T
         speed = speed or self.case.shutdown.initial_speed
-        start = joint_start(self._driveline, speed, self._point)
+        shutdown = replace(self.case.shutdown, initial_speed=speed)
+        start = joint_start(self._driveline, shutdown, self._point)
         both = [start(point) for point in columns.T]
         return Batch(
             columns,
@@ -128,3 +134,12 @@ class Subject:
                 *(c_1, c_2, self.time_step),
             ]
         )
+
+
+def _one_even_start(case: Case) -> Case:
+    """Return the case judged by one run-down from even turning, as the peers roll out.
+
+    A settled vibration and a mean over crank angles would be ours alone to compute.
+    """
+    evenly = replace(case.shutdown, start=QuasiSteadyStart(), crank_angles=1)
+    return replace(case, shutdown=evenly)

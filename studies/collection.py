@@ -65,6 +65,7 @@ def collect(case: Case, folder: Path) -> tuple[Part, ...]:
             "The paper's results",
             paper_results.comparisons(case),
             illustrations=tuple(illustrations(case, folder)),
+            text=start.moved(case),
         ),
         Part(start.TITLE, text=start.fragment(start.examine(case))),
         identification_part(case, folder),

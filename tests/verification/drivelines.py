@@ -85,9 +85,12 @@ def high_stiffness_candidate(case):
     return _candidate(case, name, ConnectionKind.TIGHT_FIT)
 
 
-def evaluator(candidate, **shutdown_changes):
-    """Return the evaluator of a candidate in the shipped case, run down otherwise."""
-    case = shipped_case()
+def evaluator(candidate, case=None, **shutdown_changes):
+    """Return the evaluator of a candidate, run down otherwise than the case has it.
+
+    The case is the shipped one where none is given.
+    """
+    case = case or shipped_case()
     shutdown = dataclasses.replace(case.shutdown, **shutdown_changes)
     return Evaluator(dataclasses.replace(case, shutdown=shutdown), candidate)
 

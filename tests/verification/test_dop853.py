@@ -39,7 +39,7 @@ from tests.verification.drivelines import (
     shipped_case,
 )
 from tests.verification.integration import dop853, rate_function, state_symbol
-from tests.verification.resonance import impacts, resonance, start_of
+from tests.verification.resonance import evenly, impacts, resonance, start_of
 
 WINDOW = 2.0  # through the resonance [s]
 SPEED_BEFORE = 1.3  # of the speed of the largest swing
@@ -117,7 +117,7 @@ def largest_maxima(values, count=20):
 
 def by_our_march(candidate, point, shutdown):
     """Return the same run-down as the design flow and the time histories have it."""
-    our_evaluator = evaluator(candidate, **dataclasses.asdict(shutdown))
+    our_evaluator = evaluator(candidate, **vars(shutdown))
     performance = our_evaluator.performance(*point)
     history = simulate(our_evaluator.driveline(*point), shutdown)
     return RunDown(
@@ -197,7 +197,7 @@ def present_point():
 def through_resonance():
     """Compare 2 s through the resonance, at the case's step and at a tenth of it."""
     step = shipped_case().shutdown.time_step
-    shutdown = Shutdown(SPEED_BEFORE * resonance().speed, WINDOW, step)
+    shutdown = evenly(Shutdown(SPEED_BEFORE * resonance().speed, WINDOW, step))
     where = f"present coupling and gap, {WINDOW:g} s through resonance"
     candidate = present_candidate(shipped_case())
     return compared(where, candidate, present_point(), shutdown, step, (1, 10))
@@ -207,7 +207,7 @@ def high_stiffness_run_down():
     """Compare the whole run-down of the coupling of step 4, tightly fitted."""
     case = shipped_case()
     candidate = high_stiffness_candidate(case)
-    shutdown = case.shutdown
+    shutdown = evenly(case.shutdown)
     point = (HIGH_STIFFNESS, 0.0)
     where = "high-stiffness coupling, tight fit, whole run-down"
     return compared(where, candidate, point, shutdown, 5 * shutdown.time_step)
@@ -219,7 +219,8 @@ def present_run_down():
     candidate = present_candidate(case)
     step = case.shutdown.time_step
     where = "present coupling and gap, whole run-down"
-    return compared(where, candidate, present_point(), case.shutdown, step)
+    shutdown = evenly(case.shutdown)
+    return compared(where, candidate, present_point(), shutdown, step)
 
 
 GROUPS = (through_resonance, high_stiffness_run_down)

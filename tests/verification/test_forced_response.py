@@ -27,11 +27,17 @@ import pytest
 
 from coupling_design.driveline.history import simulate
 from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import ExcitationOrder, Resistance, Shutdown
+from coupling_design.driveline.parameters import (
+    ExcitationOrder,
+    QuasiSteadyStart,
+    Resistance,
+    Shutdown,
+)
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import three_masses, two_masses
 from tests.verification.test_natural_frequencies import open_torsion_assembly
 
+EVENLY = QuasiSteadyStart()  # as the sources begin
 ORDER = 4.0
 AMPLITUDE = 0.01
 CLOSE = 2e-5  # see above
@@ -60,7 +66,7 @@ def rolled_out(name, speed_ratio):
     """Return the complex amplitudes of coupling torque and transmission torque."""
     driveline = driven(LINES[name])
     omega = speed_ratio * natural_angular_frequency(driveline)
-    history = simulate(driveline, Shutdown(omega / ORDER, 12.0, 1e-4))
+    history = simulate(driveline, Shutdown(omega / ORDER, 12.0, 1e-4, EVENLY))
     # By 9 s what rings since the start, exp(-3.1 t), has died to 1e-12.
     late = history.time > 9.0
     time = history.time[late]
@@ -181,7 +187,8 @@ def slowed(damping, braking, initial_speed=INITIAL_SPEED, time_step=1e-4):
     )
     # Down to 9 rad/s, where the resonance at 15 is long past.
     duration = (initial_speed - 9.0) / braking
-    history = simulate(driveline, Shutdown(initial_speed, duration, time_step))
+    shutdown = Shutdown(initial_speed, duration, time_step, EVENLY)
+    history = simulate(driveline, shutdown)
     mean = -braking * (J2 + J3)
     return history.time, history.coupling_torque - mean
 

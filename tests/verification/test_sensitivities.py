@@ -28,7 +28,7 @@ from tests.verification.drivelines import (
     shipped_case,
 )
 from tests.verification.integration import dop853, rate_function
-from tests.verification.resonance import impacts, resonance, start_of
+from tests.verification.resonance import evenly, impacts, resonance, start_of
 
 RELATIVE = 1e-6  # derivatives with the gap closed, as the project promises them
 VARIABLES = ("stiffness", "gap")
@@ -150,7 +150,7 @@ def rattling_case():
     return dataclasses.replace(
         case,
         driveline=dataclasses.replace(case.driveline, excitation=orders),
-        shutdown=Shutdown(resonance().speed, 0.2, case.shutdown.time_step),
+        shutdown=evenly(Shutdown(resonance().speed, 0.2, case.shutdown.time_step)),
     )
 
 
