@@ -131,11 +131,12 @@ class Evaluator(PointReader):
         """Return the performances of variables' columns, in groups of crank angles.
 
         As `variables.columns` makes them, with what one likes changed; from another
-        start if given. They are not kept.
+        start if given. What starts faster than the case runs longer in proportion, so
+        that its stop is not cut off. They are not kept.
         """
         starts = self.run_downs.starting(start)(columns, self.chances.shape[1])
         self.rollouts += columns.shape[1]
-        ends = self.run_downs.march(joint_states(starts.states), columns)
+        ends = self.run_downs.to_rest(joint_states(starts.states), columns)
         points = [(k, gap) for k, gap in columns[:2, :: self.chances.shape[1]].T]
         return self.performances_of(points, ends)
 

@@ -73,6 +73,23 @@ def test_an_amplitude_moves_as_a_case_with_another_amplitude(quick, evaluator):
     assert moved.peak == pytest.approx(other.peak_transmission_force, rel=1e-6)
 
 
+def test_a_faster_start_runs_to_rest(quick, evaluator):
+    """A higher speed takes longer: as a case of that speed that runs longer."""
+    one = evaluator(quick, "rubber", "key")
+    found = sensitivity(one, one.performance(2e3, 1e-4))
+    moved = next(m for m in found.moves if (m.name, m.factor) == (SPEED, 1.03))
+
+    shutdown = dataclasses.replace(
+        quick.shutdown,
+        initial_speed=1.03 * quick.shutdown.initial_speed,
+        duration=1.03 * quick.shutdown.duration,
+    )
+    other = evaluator(
+        dataclasses.replace(quick, shutdown=shutdown), "rubber", "key"
+    ).performance(2e3, 1e-4)
+    assert moved.damage == pytest.approx(other.damage, rel=1e-6)
+
+
 class MadeUp:
     """Its damage moves with the start by a given share."""
 

@@ -58,7 +58,7 @@ def test_what_is_fitted_is_met_but_half_the_stiffness(monkeypatch, case):
     monkeypatch.setattr(report, "examine", evidence.quick)
     failed = [row.quantity for row in report.comparisons(case) if not row.agrees]
 
-    assert failed == ["D at half the stiffness, mean over the start phase"]
+    assert failed == ["D at half the stiffness, mean over the crank angle"]
 
 
 @pytest.mark.parametrize("contact", trade_off.CONTACTS)
