@@ -26,15 +26,17 @@ def find_place(name: str, document: Document) -> Path:
 
     An entry of a list goes by its number or by its own name: `coupling_types[0]`,
     `coupling_types[rubber]`. Where several places end so, that which the file fills is
-    meant. The error's text says what was found and what is near.
+    meant, or else that whose section the file has. The error's text says what was
+    found and what is near.
     """
     wanted = split(name)
     places = list_places(document)
     matching = [place for place in places if _ends_in(place, wanted, document)]
     complete = [place for place in matching if len(place) == len(wanted)]
-    filled = [place for place in matching if document.raw(place) is not None]
-    if len(filled) == 1 and not complete:
-        return filled[0]
+    for depth in (None, -1):  # the place itself, then the section it is in
+        filled = [at for at in matching if document.raw(at[:depth]) is not None]
+        if len(filled) == 1 and not complete:
+            return filled[0]
     if len(complete or matching) == 1:
         return (complete or matching)[0]
     if matching:

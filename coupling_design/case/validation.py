@@ -34,7 +34,10 @@ def check_form(
     try:
         section = model.model_validate(document.data)
     except ValidationError as error:
-        problems += problems_of(error, model, document)
+        # What YAML misread is no number either: told once, by its cause.
+        misread = {_found(problem) for problem in problems}
+        found = problems_of(error, model, document)
+        problems += [each for each in found if _found(each) not in misread]
     told = {problem.path for problem in problems}
     empty = _empty_values(document.data, ())
     problems += [problem for problem in empty if problem.path not in told]
@@ -60,6 +63,14 @@ def _place(problem: Problem, document: Document) -> tuple[int, str]:
     line = problem.line or document.line(problem.path)
     place = f"{document.file}:{line}"
     return line, f"{place}: {name}" if name else place
+
+
+def _found(problem: Problem) -> tuple[Path, str]:
+    """Return where a problem is and what was found there."""
+    path = problem.path
+    return path[:-1] if path[-1:] == ("value",) else path, problem.sentence.split(",")[
+        0
+    ]
 
 
 def _empty_values(data: Any, path: Path) -> Iterator[Problem]:

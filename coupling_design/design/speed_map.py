@@ -61,7 +61,8 @@ class CouplingSpeeds:
 
     Attributes
     ----------
-    name, label : what it is to the design, "present"; its type and connection
+    name, label : what it is to the design, "present", or a size's name; its type and
+        connection
     torsional_stiffness : [N m/rad]
     natural_frequencies : of all torsional modes, ascending (n_modes,) [Hz]
     critical_speeds : slowest first, also those beyond the chart
@@ -119,13 +120,14 @@ def evaluate_speed_map(
     `other` is a real size to show in place of the present coupling.
     """
     shown = other or present_candidate(case)
+    name = other.size.name if other and other.size else "present"
     ends = np.array([0.0, _end(case.duty.working_speed)])
     return SpeedMap(
         orders=np.array([o.order for o in case.working_excitation], dtype=float),
         working_speed=case.duty.working_speed,
         speeds=ends,
         order_lines=order_lines(_at_work(case, case.driveline), ends),
-        present=_coupling_speeds(case, "present", shown, _line_of(case, shown)),
+        present=_coupling_speeds(case, name, shown, _line_of(case, shown)),
         chosen=None if chosen is None else _chosen_speeds(case, chosen),
     )
 

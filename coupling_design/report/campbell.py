@@ -62,7 +62,7 @@ def _range(speed_map: SpeedMap) -> Iterable[tuple[str, str]]:
 
 def _coupling(coupling: CouplingSpeeds, speed_map: SpeedMap) -> Panel:
     return panel(
-        f"{coupling.name.capitalize()} coupling",
+        f"{coupling.name[:1].upper()}{coupling.name[1:]} coupling",
         (
             facts(_identity(coupling)),
             titled("Critical speeds", _critical_speeds(coupling)),

@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 
 from coupling_design.case import load_case
@@ -43,6 +45,17 @@ def test_a_value_by_its_path_or_its_end(changed, assignment):
 
 def test_the_file_keeps_its_checksum(changed):
     assert changed("gap=0.12mm").sha256 == changed().sha256
+
+
+def test_of_two_places_that_of_a_section_the_file_has():
+    """An engine may stand for the shutdown and at work; this file has the former."""
+    file = Path(__file__).parents[2] / "cases" / "16v280_engine.yaml"
+    case = load_case(file, ["engine.mode=fired", "indicated_mean_pressure=8bar"])
+    paths = [told.split("=")[0] for told in case.overrides]
+    assert paths == [
+        "driveline.excitation.engine.mode",
+        "driveline.excitation.engine.indicated_mean_pressure",
+    ]
 
 
 def test_entries_of_lists_by_number_and_name(changed):
