@@ -10,7 +10,7 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.joint import TOTALS
+from coupling_design.design.quantities import TOTALS
 from coupling_design.errors import SimulationError
 
 

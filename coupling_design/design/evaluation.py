@@ -16,9 +16,9 @@ from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.chance import chances
-from coupling_design.design.joint import TOTALS
 from coupling_design.design.performance import Performance, performance_of
 from coupling_design.design.point_reader import PointReader
+from coupling_design.design.quantities import TOTALS
 from coupling_design.design.run_downs import RunDowns, joint_states
 from coupling_design.design.totals import over_chance, spread_of
 from coupling_design.driveline.history import History

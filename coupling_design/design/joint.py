@@ -1,15 +1,13 @@
 """Driveline and bearings in one step: the one place where the two meet.
 
-The joint state is the driveline's, then TOTALS: both bearings' Miner sums and the
-running peaks, so that memory does not grow with the number of steps and no maximum is
-smoothed.
+The joint state is the driveline's, then what the run-down leaves behind (`quantities`),
+so that memory does not grow with the number of steps and no maximum is smoothed.
 """
 
 from __future__ import annotations
 
 import casadi as ca
 
-from coupling_design.arithmetic import Scalar
 from coupling_design.bearing.damage import damage_increment
 from coupling_design.bearing.loads import (
     combined_load,
@@ -17,6 +15,7 @@ from coupling_design.bearing.loads import (
     static_loads,
 )
 from coupling_design.case.case import Case
+from coupling_design.design.quantities import QUANTITIES, TOTALS, Segment
 from coupling_design.driveline.dynamics import Motion
 from coupling_design.driveline.parameters import Driveline, Shutdown
 from coupling_design.driveline.run_down import (
@@ -25,14 +24,6 @@ from coupling_design.driveline.run_down import (
     run_down_state_names,
 )
 from coupling_design.rollout.runge_kutta import rk4_step
-
-TOTALS = (
-    "damage_1",
-    "damage_2",
-    "peak_transmission_force",
-    "peak_combined_load_1",
-    "peak_combined_load_2",
-)
 
 
 def joint_step(
@@ -54,11 +45,15 @@ def joint_step(
         lambda y: run_down_motion(driveline, shutdown, y).state_rate, state, time_step
     )
     now = run_down_motion(driveline, shutdown, state)
-    totals_next = _add(totals, now, case, shutdown, time_step)
+    segment = _segment(now, case, shutdown, time_step)
+    totals_next = [
+        quantity.gather(total, segment)
+        for quantity, total in zip(QUANTITIES, ca.vertsplit(totals), strict=True)
+    ]
     return ca.Function(
         "step",
         [ca.vertcat(state, totals), parameters],
-        [ca.cse(ca.vertcat(state_next, totals_next))],
+        [ca.cse(ca.vertcat(state_next, *totals_next))],
         ["state", "parameters"],
         ["state_next"],
     )
@@ -86,10 +81,8 @@ def joint_start(
     )
 
 
-def _add(
-    totals: Scalar, now: Motion, case: Case, shutdown: Shutdown, time_step: float
-) -> Scalar:
-    """Return the totals with the segment that starts now, eqs. (4)-(6), (13), (14)."""
+def _segment(now: Motion, case: Case, shutdown: Shutdown, time_step: float) -> Segment:
+    """Return what acts in the step that starts now, eqs. (4)-(6), (13), (14)."""
     forces = rotational_loads(now.transmission_force, case.shaft)
     weights = static_loads(case.shaft)
     beta = now.generator_angle + (shutdown.gravity_angle - shutdown.crank_angle)
@@ -108,5 +101,4 @@ def _add(
         )
         for load, bearing in zip(loads, case.bearings, strict=True)
     ]
-    peaks = ca.vertcat(ca.fabs(now.transmission_force), *loads)
-    return ca.vertcat(totals[:2] + ca.vertcat(*damages), ca.fmax(totals[2:], peaks))
+    return Segment(now.transmission_force, loads, damages)

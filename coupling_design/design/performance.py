@@ -8,6 +8,12 @@ from enum import StrEnum
 
 from coupling_design.arithmetic import Scalar
 from coupling_design.design.chance import Spread
+from coupling_design.design.quantities import (
+    DAMAGES,
+    PEAK_FORCE,
+    PEAK_LOADS,
+    place_of,
+)
 
 
 class Sense(StrEnum):
@@ -134,16 +140,15 @@ def performance_of(
     totals: Scalar,
     spread: Spread | None = None,
 ) -> Performance:
-    """Return a performance from the five totals of a rollout, numbers or symbols.
-
-    The damages of both bearings [-], the peak force [N], their peak loads [N].
-    """
+    """Return a performance from the TOTALS of a rollout, numbers or symbols."""
+    damages = [totals[place_of(each)] for each in DAMAGES]
+    loads = [totals[place_of(each)] for each in PEAK_LOADS]
     return Performance(
         torsional_stiffness=torsional_stiffness,
         key_gap=key_gap,
         natural_frequency=natural_frequency,
-        damages=(totals[0], totals[1]),
-        peak_transmission_force=totals[2],
-        peak_combined_load=(totals[3], totals[4]),
+        damages=(damages[0], damages[1]),
+        peak_transmission_force=totals[place_of(PEAK_FORCE)],
+        peak_combined_load=(loads[0], loads[1]),
         spread=spread,
     )

@@ -12,7 +12,8 @@ import numpy as np
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate
-from coupling_design.design.joint import TOTALS, joint_step
+from coupling_design.design.joint import joint_step
+from coupling_design.design.quantities import TOTALS
 from coupling_design.design.variables import (
     CRANK_ANGLE,
     GRAVITY_ANGLE,

@@ -6,13 +6,19 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.design.chance import Spread
+from coupling_design.design.quantities import (
+    DAMAGES,
+    PEAK_FORCE,
+    QUANTITIES,
+    Gathering,
+    place_of,
+)
 
-_DAMAGES = slice(0, 2)  # of `joint.TOTALS`; what follows are peaks
-_PEAK_FORCE = 2
+_SUMS = [quantity.gathering is Gathering.ADDS_UP for quantity in QUANTITIES]
 
 
 def over_chance(totals: FloatArray, *slopes: FloatArray) -> FloatArray:
-    """Return the totals to judge by: damages' means, the largest of each peak.
+    """Return the totals to judge by: means of what adds up, the largest of each peak.
 
     Parameters
     ----------
@@ -29,7 +35,7 @@ def over_chance(totals: FloatArray, *slopes: FloatArray) -> FloatArray:
     judged = []
     for each in (totals, *slopes):
         column = each[rows, leading]
-        column[_DAMAGES] = each[_DAMAGES].mean(axis=1)
+        column[_SUMS] = each[_SUMS].mean(axis=1)
         judged.append(column)
     return np.stack(judged, axis=1) if slopes else judged[0]
 
@@ -42,13 +48,18 @@ def spread_of(
     `final_speeds` (n_masses, n) are those at their ends [rad/s]; `repeats` is whether
     the vibration they start from is periodic.
     """
-    lowest, highest = totals.min(axis=1).tolist(), totals.max(axis=1).tolist()
+    first, second = (_reach(totals[place_of(damage)]) for damage in DAMAGES)
+    forces = totals[place_of(PEAK_FORCE)]
     return Spread(
         crank_angles=totals.shape[1],
-        damages=((lowest[0], highest[0]), (lowest[1], highest[1])),
-        peak_transmission_force=(lowest[_PEAK_FORCE], highest[_PEAK_FORCE]),
-        mean_peak=float(totals[_PEAK_FORCE].mean()),
-        worst=int(totals[_PEAK_FORCE].argmax()),
+        damages=(first, second),
+        peak_transmission_force=_reach(forces),
+        mean_peak=float(forces.mean()),
+        worst=int(forces.argmax()),
         final_speed=float(np.abs(final_speeds).max()),
         repeats=repeats,
     )
+
+
+def _reach(values: FloatArray) -> tuple[float, float]:
+    return float(values.min()), float(values.max())

@@ -17,7 +17,8 @@ import numpy as np
 from coupling_design.arithmetic import FloatArray, Scalar, where
 from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case.case import Case
-from coupling_design.design.joint import TOTALS, joint_start, joint_step
+from coupling_design.design.joint import joint_start, joint_step
+from coupling_design.design.quantities import TOTALS
 from coupling_design.driveline.damping import coupling_damping
 from coupling_design.driveline.dynamics import motion, reduced_inertia, state_names
 from coupling_design.driveline.parameters import (

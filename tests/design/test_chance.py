@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from coupling_design.design.chance import chances, describe_start
-from coupling_design.design.joint import TOTALS
+from coupling_design.design.quantities import TOTALS
 from coupling_design.design.totals import over_chance, spread_of
 from coupling_design.driveline.parameters import (
     FuelCutStart,

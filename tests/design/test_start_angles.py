@@ -9,8 +9,8 @@ from coupling_design.design.candidate import Candidate
 from coupling_design.design.constraints import load_constraints, survival_constraints
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.flow import run_design
-from coupling_design.design.joint import TOTALS
 from coupling_design.design.performance import performance_of
+from coupling_design.design.quantities import TOTALS
 from coupling_design.design.run_downs import joint_states
 from coupling_design.design.state import connection_option
 

@@ -17,7 +17,8 @@ import functools
 import numpy as np
 import pytest
 
-from coupling_design.design.evaluation import TOTALS, Evaluator
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.design.quantities import TOTALS
 from coupling_design.driveline.key_gap import half_gap_angle
 from coupling_design.driveline.parameters import Shutdown
 from tests.verification.comparison import Comparison, collect, disagreements
