@@ -9,10 +9,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coupling_design.arithmetic import Scalar, entries, stacked
+from coupling_design.arithmetic import Scalar
+from coupling_design.driveline.chain import (
+    Chain,
+    Contact,
+    Elastic,
+    Rigid,
+    chain_motion,
+    unfold,
+)
 from coupling_design.driveline.damping import coupling_damping
 from coupling_design.driveline.excitation import excitation_torque, resistance_torque
-from coupling_design.driveline.key_gap import transmission_torque
 from coupling_design.driveline.parameters import Driveline, KeyedConnection
 
 KEYED_STATE = (
@@ -56,13 +63,24 @@ def state_names(driveline: Driveline) -> tuple[str, ...]:
     return TIGHT_STATE
 
 
+def chain_of(driveline: Driveline) -> Chain:
+    """Return engine side, coupling hub and generator with the joints between them."""
+    coupling, connection = driveline.coupling, driveline.connection
+    c_dyn = coupling_damping(coupling, reduced_inertia(driveline))
+    seat = Contact(connection) if isinstance(connection, KeyedConnection) else Rigid()
+    return Chain(
+        (
+            driveline.engine_inertia,
+            driveline.coupling_inertia,
+            driveline.generator_inertia,
+        ),
+        (Elastic(coupling.torsional_stiffness, c_dyn), seat),
+    )
+
+
 def inertias(driveline: Driveline) -> tuple[Scalar, ...]:
     """Return what turns on its own, from the engine on [kg m^2]: 3 keyed, 2 tight."""
-    J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
-    J3 = driveline.generator_inertia
-    if isinstance(driveline.connection, KeyedConnection):
-        return J1, J2, J3
-    return J1, J2 + J3
+    return chain_of(driveline).body_inertias
 
 
 def reduced_inertia(driveline: Driveline) -> Scalar:
@@ -88,58 +106,20 @@ def motion(
     fuel_torque : that drives the engine besides the orders [N m]
     crank_angle : at which the orders push [rad]; the engine's own where not given
     """
-    at = entries(state)[0] if crank_angle is None else crank_angle
-    drive = excitation_torque(at, driveline.excitation) + fuel_torque
-    if isinstance(driveline.connection, KeyedConnection):
-        return _keyed_motion(driveline, driveline.connection, state, drive)
-    return _tight_motion(driveline, state, drive)
-
-
-def _keyed_motion(
-    driveline: Driveline, connection: KeyedConnection, state: Scalar, drive: Scalar
-) -> Motion:
-    th1, th2, th3, w1, w2, w3 = entries(state)
-    J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
-    J3 = driveline.generator_inertia
-    T_1 = drive - resistance_torque(w1, driveline.engine_resistance)
-    T_d = resistance_torque(w3, driveline.generator_resistance)
-    T_c = _coupling_torque(driveline, th1 - th2, w1 - w2)
-    r_Fc = transmission_torque(th2 - th3, w2 - w3, connection)
+    chain = chain_of(driveline)
+    angles, speeds = unfold(chain, state)
+    at = angles[0] if crank_angle is None else crank_angle
+    T_e = excitation_torque(at, driveline.excitation) + fuel_torque
+    T_1 = T_e - resistance_torque(speeds[0], driveline.engine_resistance)
+    T_d = resistance_torque(speeds[-1], driveline.generator_resistance)
+    moved = chain_motion(chain, state, (T_1, 0.0, -T_d))
+    T_c, r_Fc = moved.joint_torques
     return Motion(
-        state_rate=stacked(
-            w1, w2, w3, (T_1 - T_c) / J1, (T_c - r_Fc) / J2, (r_Fc - T_d) / J3
-        ),
-        transmission_force=r_Fc / connection.radius,
-        coupling_torque=T_c,
-        engine_torque=T_1,
-        engine_speed=w1,
-        generator_speed=w3,
-        generator_angle=th3,
-    )
-
-
-def _tight_motion(driveline: Driveline, state: Scalar, drive: Scalar) -> Motion:
-    th1, th3, w1, w3 = entries(state)
-    J1, J2 = driveline.engine_inertia, driveline.coupling_inertia
-    J3 = driveline.generator_inertia
-    T_1 = drive - resistance_torque(w1, driveline.engine_resistance)
-    T_d = resistance_torque(w3, driveline.generator_resistance)
-    T_c = _coupling_torque(driveline, th1 - th3, w1 - w3)
-    a_3 = (T_c - T_d) / (J2 + J3)
-    # The hub carries what turns the generator: eq. (1), third line.
-    r_Fc = J3 * a_3 + T_d
-    return Motion(
-        state_rate=stacked(w1, w3, (T_1 - T_c) / J1, a_3),
+        state_rate=moved.state_rate,
         transmission_force=r_Fc / driveline.connection.radius,
         coupling_torque=T_c,
         engine_torque=T_1,
-        engine_speed=w1,
-        generator_speed=w3,
-        generator_angle=th3,
+        engine_speed=speeds[0],
+        generator_speed=speeds[-1],
+        generator_angle=angles[-1],
     )
-
-
-def _coupling_torque(driveline: Driveline, twist: Scalar, twist_rate: Scalar) -> Scalar:
-    k_dyn = driveline.coupling.torsional_stiffness
-    c_dyn = coupling_damping(driveline.coupling, reduced_inertia(driveline))
-    return k_dyn * twist + c_dyn * twist_rate

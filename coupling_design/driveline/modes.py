@@ -9,14 +9,13 @@ Sources
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from coupling_design.arithmetic import FloatArray, Scalar, matrix, sqrt
-from coupling_design.driveline.damping import coupling_damping
-from coupling_design.driveline.dynamics import inertias, reduced_inertia
+from coupling_design.arithmetic import FloatArray, Scalar, sqrt
+from coupling_design.driveline.chain import chain_damping, chain_mass, chain_stiffness
+from coupling_design.driveline.dynamics import chain_of, reduced_inertia
 from coupling_design.driveline.key_gap import LARGEST_RELATIVE_SLOPE
 from coupling_design.driveline.parameters import Driveline, KeyedConnection, Resistance
 
@@ -55,9 +54,7 @@ def natural_angular_frequency(driveline: Driveline) -> Scalar:
 
 def mass_matrix(driveline: Driveline) -> Scalar:
     """Return the inertias on a diagonal, (3, 3) keyed or (2, 2) tight [kg m^2]."""
-    masses = inertias(driveline)
-    n = len(masses)
-    return matrix([[masses[i] if i == j else 0.0 for j in range(n)] for i in range(n)])
+    return chain_mass(chain_of(driveline))
 
 
 def stiffness_matrix(driveline: Driveline, contact_slope: Scalar = 1.0) -> Scalar:
@@ -65,20 +62,14 @@ def stiffness_matrix(driveline: Driveline, contact_slope: Scalar = 1.0) -> Scala
 
     `contact_slope` multiplies the contact stiffness: 1 on the flank of the key.
     """
-    k = driveline.coupling.torsional_stiffness
-    if isinstance(driveline.connection, KeyedConnection):
-        return _chain([k, contact_slope * driveline.connection.contact_stiffness])
-    return _chain([k])
+    return chain_stiffness(chain_of(driveline), contact_slope)
 
 
 def damping_matrix(driveline: Driveline) -> Scalar:
     """Return the damping matrix [N m s/rad], resistances as steep as at standstill."""
-    c = coupling_damping(driveline.coupling, reduced_inertia(driveline))
     first = _resistance_slope(driveline.engine_resistance)
     last = _resistance_slope(driveline.generator_resistance)
-    if isinstance(driveline.connection, KeyedConnection):
-        return _chain([c, driveline.connection.oil_damping], [first, 0.0, last])
-    return _chain([c], [first, last])
+    return chain_damping(chain_of(driveline), (first, 0.0, last))
 
 
 def modes(driveline: Driveline) -> Modes:
@@ -128,22 +119,6 @@ def _stable_step(eigenvalue: complex) -> float:
 
 def _stability_function(z: complex) -> complex:
     return 1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24
-
-
-def _chain(springs: Sequence[Scalar], grounds: Sequence[Scalar] = ()) -> Scalar:
-    """Return the matrix of springs in a row between len(springs) + 1 masses.
-
-    `grounds` tie each mass to what stands still.
-    """
-    n = len(springs) + 1
-    rows: list[list[Scalar]] = [[0.0] * n for _ in range(n)]
-    for i, k in enumerate(springs):
-        rows[i][i] += k
-        rows[i + 1][i + 1] += k
-        rows[i][i + 1], rows[i + 1][i] = -k, -k
-    for i, ground in enumerate(grounds):
-        rows[i][i] += ground
-    return matrix(rows)
 
 
 def _resistance_slope(resistance: Resistance) -> Scalar:
