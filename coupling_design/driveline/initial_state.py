@@ -10,22 +10,11 @@ from __future__ import annotations
 
 import casadi as ca
 
-from coupling_design.arithmetic import Scalar, maximum, sign
+from coupling_design.arithmetic import Scalar
+from coupling_design.driveline.dynamics import chain_of
+from coupling_design.driveline.even_turning import even_angles
 from coupling_design.driveline.excitation import resistance_torque
-from coupling_design.driveline.key_gap import (
-    contact_deflection,
-    contact_slope,
-    half_gap_angle,
-)
-from coupling_design.driveline.parameters import Driveline, KeyedConnection
-
-# Newton on the smoothed contact, from the sharp contact's solution: the distance
-# squares each time, so this many reach rounding from anywhere on the flank.
-_NEWTON_STEPS = 8
-
-# The smoothed contact is nowhere less steep on the flank, and flat in the middle of
-# the gap, where a key that carries nothing stays.
-_LEAST_SLOPE = 0.5
+from coupling_design.driveline.parameters import Driveline
 
 
 def all_resistances(driveline: Driveline, speed: Scalar) -> Scalar:
@@ -46,25 +35,9 @@ def quasi_steady_state(
     The generator's angle is zero. `fuel_torque` [N m] drives the engine besides: where
     it balances all resistances nothing slows down, and the line carries T_d alone.
     """
-    J2, J3 = driveline.coupling_inertia, driveline.generator_inertia
+    R_1 = resistance_torque(initial_speed, driveline.engine_resistance)
     T_d = resistance_torque(initial_speed, driveline.generator_resistance)
-    braking = all_resistances(driveline, initial_speed) - fuel_torque
-    deceleration = -braking / (driveline.engine_inertia + J2 + J3)
-    r_Fc = J3 * deceleration + T_d
-    coupling_twist = (J2 * deceleration + r_Fc) / driveline.coupling.torsional_stiffness
-    w = initial_speed
-    if not isinstance(driveline.connection, KeyedConnection):
-        return ca.vertcat(coupling_twist, 0.0, w, w)
-    key_twist = _key_twist(r_Fc, driveline.connection)
-    return ca.vertcat(coupling_twist + key_twist, key_twist, 0.0, w, w, w)
-
-
-def _key_twist(torque: Scalar, connection: KeyedConnection) -> Scalar:
-    """Return the twist x [rad] at which the key carries `torque` [N m] at rest."""
-    pressed = torque / connection.contact_stiffness
-    twist = pressed + half_gap_angle(connection) * sign(torque)
-    for _ in range(_NEWTON_STEPS):
-        error = contact_deflection(twist, connection) - pressed
-        slope = maximum(contact_slope(twist, connection), _LEAST_SLOPE)
-        twist = twist - error / slope
-    return twist
+    chain = chain_of(driveline)
+    deceleration = -(R_1 + T_d - fuel_torque) / sum(chain.inertias)
+    angles = even_angles(chain, deceleration, (fuel_torque - R_1, 0.0, -T_d))
+    return ca.vertcat(*angles, *[initial_speed] * len(angles))
