@@ -22,15 +22,14 @@ What is left out, and when it matters:
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from coupling_design.arithmetic import FloatArray, Scalar, cos, sin
+from coupling_design.driveline.chain_response import ComplexArray, chain_response
 from coupling_design.driveline.damping import coupling_damping
-from coupling_design.driveline.dynamics import reduced_inertia
+from coupling_design.driveline.dynamics import chain_of, reduced_inertia
 from coupling_design.driveline.modes import (
     damping_matrix,
     mass_matrix,
@@ -42,8 +41,6 @@ from coupling_design.driveline.parameters import (
     LossFactorDamping,
     RelativeDamping,
 )
-
-_ComplexArray = NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -66,9 +63,9 @@ class ForcedResponse:
 
     orders: FloatArray
     speeds: FloatArray
-    twist: _ComplexArray
-    coupling_torque: _ComplexArray
-    transmission_torque: _ComplexArray
+    twist: ComplexArray
+    coupling_torque: ComplexArray
+    transmission_torque: ComplexArray
     power_loss: FloatArray
 
 
@@ -142,23 +139,19 @@ def _coupling_damping(
 
 def _angles(
     driveline: Driveline, omega: FloatArray, coupling: FloatArray
-) -> _ComplexArray:
+) -> ComplexArray:
     """Return the complex angles [rad] of the masses, along a last axis, by [2].
 
     `coupling` is the coupling's damping at each frequency [N m s/rad].
     """
-    M, K = mass_matrix(driveline), stiffness_matrix(driveline)
-    undamped = replace(driveline.coupling, damping_law=LossFactorDamping(0.0))
-    rest = replace(_without_friction(driveline), coupling=undamped)
-    between = np.zeros(M.shape)
-    between[:2, :2] = [[1.0, -1.0], [-1.0, 1.0]]
-    C = damping_matrix(rest) + coupling[..., np.newaxis, np.newaxis] * between
-    w = omega[..., np.newaxis, np.newaxis]
-    force = np.zeros((*omega.shape, len(M), 1), dtype=complex)
+    chain = chain_of(driveline)
+    torques = np.zeros((*omega.shape, len(chain.inertias)), dtype=complex)
     for i, order in enumerate(driveline.excitation):
-        force[i, :, 0] = order.amplitude * np.exp(1j * order.phase)
-    angles: NDArray[Any] = np.linalg.solve(K + 1j * w * C - w**2 * M, force)
-    return angles[..., 0]
+        torques[i, :, 0] = order.amplitude * np.exp(1j * order.phase)
+    others = [np.asarray(joint.damping) for joint in chain.flexible[1:]]
+    brakes = driveline.engine_resistance, driveline.generator_resistance
+    outer = (brakes[0].viscous, 0.0, brakes[1].viscous)
+    return chain_response(chain, omega, torques, [coupling, *others], outer)
 
 
 def angle_phasor(
