@@ -30,10 +30,35 @@ def random_chain(n, *, damping=0.0, seed=0):
     return Chain(tuple(J), tuple(map(Elastic, k, c)))
 
 
+PUBLISHED = {
+    # Friswell, Penny, Garvey, Lees (2010), 9.7.1; Hz to two decimals.
+    "five discs": (
+        (3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05),
+        (12e3, 12e3, 14e3, 10e3),
+        2 * np.pi * np.array([81.21, 141.21, 378.95, 536.36]),
+    ),
+    # The tutorial of openTorsion; rad/s.
+    "tutorial": (
+        (100.0, 10.0, 50.0, 10.0, 80.0),
+        (25e6,) * 4,
+        np.array([368.9, 784.482, 2268.087, 2380.5]),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", PUBLISHED)
+def test_published_chains(name):
+    J, k, published = PUBLISHED[name]
+    chain = Chain(J, tuple(Elastic(each, 0.0) for each in k))
+    squares = eigh(chain_stiffness(chain), chain_mass(chain), eigvals_only=True)
+    assert np.sqrt(squares[1:]) == pytest.approx(published, rel=1e-4)
+
+
+@pytest.mark.parametrize("seed", [0, 100])
 @pytest.mark.parametrize("n", LENGTHS)
-def test_modes_are_those_of_opentorsion(n):
+def test_modes_are_those_of_opentorsion(n, seed):
     """Each shaft of openTorsion has its own inertia, here none."""
-    chain = random_chain(n)
+    chain = random_chain(n, seed=seed)
     shafts = [
         Shaft(i, i + 1, k=joint.stiffness, I=0.0)
         for i, joint in enumerate(chain.joints)
