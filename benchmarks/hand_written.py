@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.rollout.compiled.compiler import find_compiler
+from coupling_design.lanes.compiler import find_compiler
 
 March = Callable[[FloatArray, FloatArray], FloatArray]
 

@@ -9,7 +9,7 @@ from benchmarks.rollouts import both_marches, compared
 from benchmarks.scale import Scale
 from benchmarks.subject import Subject
 from benchmarks.table import Row
-from coupling_design.rollout.march import march
+from coupling_design.march.tower import march
 
 
 def interpreted(subject: Subject, scale: Scale) -> list[Row]:

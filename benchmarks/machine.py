@@ -8,7 +8,7 @@ import subprocess
 from importlib.metadata import version
 from pathlib import Path
 
-from coupling_design.rollout.compiled.compiler import CompilerError, find_compiler
+from coupling_design.lanes.compiler import CompilerError, find_compiler
 
 
 def machine() -> str:

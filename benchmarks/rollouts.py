@@ -15,7 +15,7 @@ from benchmarks.measure import Timings, time_in_turns
 from benchmarks.scale import Scale
 from benchmarks.subject import Batch, Subject
 from benchmarks.table import Row, at_least, at_most, missing
-from coupling_design.rollout.compiled.march import (
+from coupling_design.lanes.march import (
     CompiledMarch,
     NotCompiled,
     compile_march,

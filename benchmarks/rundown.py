@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from benchmarks.subject import Subject
-from coupling_design.rollout.fastest import fastest_marcher
+from coupling_design.march.fastest import fastest_marcher
 
 
 def main() -> None:

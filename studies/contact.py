@@ -15,10 +15,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case.case import Case
 from coupling_design.design.baseline import present_candidate
 from coupling_design.design.evaluation import Evaluator
+from coupling_design.parts.bearing.damage import PAPER_UNIT
 from coupling_design.report.numbers import percent, significant
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, GREY, ORANGE, canvas, limits

@@ -16,7 +16,7 @@ from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
-from coupling_design.driveline.key_gap import SHARP
+from coupling_design.line.contact import SHARP
 from coupling_design.report.numbers import percent, significant
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, GREEN, GREY, ORANGE, canvas

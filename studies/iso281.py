@@ -13,18 +13,18 @@ from __future__ import annotations
 
 from itertools import product
 
-from coupling_design.bearing.life import (
+from coupling_design.parts.bearing.life import (
     fatigue_load_limit,
     life_modification_factor,
     reliability_factor,
 )
-from coupling_design.bearing.lubrication import (
+from coupling_design.parts.bearing.lubrication import (
     contamination_factor,
     reference_viscosity,
     viscosity_at_temperature,
     viscosity_ratio,
 )
-from coupling_design.bearing.parameters import Cleanliness
+from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.skf import NU2326, RPM, SKF_6309
 from tests.verification.comparison import Comparison
 

@@ -16,22 +16,26 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.bearing.contact_stress import minimum_load
-from coupling_design.bearing.life import (
+from coupling_design.case.case import Case
+from coupling_design.parts.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.life import (
     basic_rating_life,
     life_modification_factor,
     modified_rating_life,
 )
-from coupling_design.bearing.loads import combined_load, rotational_loads, static_loads
-from coupling_design.bearing.lubrication import (
+from coupling_design.parts.bearing.loads import (
+    combined_load,
+    rotational_loads,
+    static_loads,
+)
+from coupling_design.parts.bearing.lubrication import (
     contamination_factor,
     unclamped_viscosity_ratio,
     viscosity_ratio,
 )
-from coupling_design.case.case import Case
-from coupling_design.driveline.detrending import resonance_fluctuation
-from coupling_design.driveline.history import History
 from coupling_design.report.numbers import significant
+from coupling_design.signals.detrending import resonance_fluctuation
+from coupling_design.signals.history import History
 from studies.command import Study, leave, table
 from studies.lubrication_figures import draw_life, draw_loads, draw_lubrication
 from studies.machine import present_history, present_performance

@@ -15,8 +15,9 @@ from coupling_design.design.constraints import high_frequency_constraint
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.results import Performance
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.dynamics import reduced_inertia
-from coupling_design.driveline.history import History, simulate
+from coupling_design.events.recording import simulate
+from coupling_design.line.motion import reduced_inertia
+from coupling_design.signals.history import History
 
 # Stiffnesses, spaced by ratio, at which an elastic type is looked at.
 ELASTIC_POINTS = 41

@@ -14,14 +14,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.bearing.contact_stress import (
-    minimum_load,
-    permissible_transmission_force,
-)
-from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case.case import Case
 from coupling_design.design.constraints import high_frequency_constraint
 from coupling_design.design.performance import Performance
+from coupling_design.parts.bearing.contact_stress import (
+    minimum_load,
+    permissible_transmission_force,
+)
+from coupling_design.parts.bearing.damage import PAPER_UNIT
 from coupling_design.report.numbers import significant
 from studies import gap, resonance, stiffness
 from studies.command import Study, leave, table

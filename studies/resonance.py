@@ -16,14 +16,14 @@ from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
-from coupling_design.driveline.detrending import (
+from coupling_design.report.numbers import significant
+from coupling_design.signals.detrending import (
     SPEED_WINDOW,
     ResonanceFluctuation,
     detrend,
     resonance_fluctuation,
 )
-from coupling_design.driveline.resonance import Swing, largest_swing
-from coupling_design.report.numbers import significant
+from coupling_design.signals.resonance import Swing, largest_swing
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, GREY, ORANGE, canvas, trace
 from studies.machine import present_history, present_performance

@@ -12,16 +12,16 @@ from __future__ import annotations
 
 import math
 
-from coupling_design.bearing.life import (
+from coupling_design.parts.bearing.life import (
     basic_rating_life,
     fatigue_load_limit,
     life_modification_factor,
 )
-from coupling_design.bearing.lubrication import (
+from coupling_design.parts.bearing.lubrication import (
     reference_viscosity,
     viscosity_at_temperature,
 )
-from coupling_design.bearing.parameters import Bearing, BearingType
+from coupling_design.parts.bearing.parameters import Bearing, BearingType
 from studies.judgement import Contrast
 from tests.verification.comparison import Comparison
 

@@ -13,13 +13,13 @@ from coupling_design.case.case import Case
 from coupling_design.design.baseline import present_candidate
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.results import Performance
-from coupling_design.driveline.key_gap import (
+from coupling_design.errors import CaseError
+from coupling_design.line.contact import (
     contact_deflection,
     contact_slope,
     half_gap_angle,
 )
-from coupling_design.driveline.parameters import KeyedConnection
-from coupling_design.errors import CaseError
+from coupling_design.line.parameters import KeyedConnection
 from studies.drawing import BLUE, GREY, ORANGE, RED, canvas
 from studies.forces import change
 from studies.judgement import Contrast

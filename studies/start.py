@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from coupling_design.arithmetic import Scalar
-from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case import load_case
 from coupling_design.case.case import Case
 from coupling_design.design.chance import Spread
@@ -21,12 +20,13 @@ from coupling_design.design.sensitivity import (
     reduction_range,
     sensitivity,
 )
-from coupling_design.driveline.parameters import (
+from coupling_design.line.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
     SettledStart,
     Start,
 )
+from coupling_design.parts.bearing.damage import PAPER_UNIT
 from coupling_design.report.numbers import significant
 from studies.initial_speed import (
     INVENTED,

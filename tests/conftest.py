@@ -7,6 +7,11 @@ from hypothesis import settings
 settings.register_profile("repeatable", derandomize=True, deadline=None)
 settings.load_profile("repeatable")
 
+pytest_plugins = (
+    "tests.fixtures.bearings",
+    "tests.fixtures.drivelines",
+    "tests.fixtures.steps",
+)
 VERIFICATION = Path(__file__).parent / "verification"
 TERMINAL_VARIABLES = ("COLUMNS", "LINES", "FORCE_COLOR", "NO_COLOR", "TTY_COMPATIBLE")
 

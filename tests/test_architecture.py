@@ -15,21 +15,25 @@ PACKAGE = "coupling_design"
 ROOT = Path(coupling_design.__file__).parent
 
 LEAVES = {"errors", "arithmetic"}
+PHYSICS = LEAVES | {"signals", "march", "line", "events", "parts", "speeds"}
 MAY_IMPORT = {
     "": set(),
     "errors": set(),
     "arithmetic": {"errors"},
-    "rollout": LEAVES,
-    "driveline": LEAVES | {"rollout"},
-    "bearing": LEAVES,
+    "signals": LEAVES,
+    "lanes": LEAVES,
+    "march": LEAVES | {"lanes"},
+    "line": LEAVES,
     "engine": LEAVES,
-    "case": LEAVES | {"driveline", "bearing", "engine"},
-    "design": LEAVES | {"rollout", "driveline", "bearing", "case"},
+    "parts": LEAVES,
+    "events": LEAVES | {"signals", "march", "line"},
+    "speeds": LEAVES | {"line"},
+    "case": LEAVES | {"line", "parts", "engine"},
+    "design": PHYSICS | {"lanes", "case"},
     "report": {"errors", "case", "design"},
-    "explore": LEAVES | {"driveline", "bearing", "case", "design"},
+    "explore": PHYSICS | {"case", "design"},
     "api": LEAVES | {"case", "design", "explore", "report"},
-    "commands": LEAVES
-    | {"driveline", "bearing", "case", "design", "explore", "report"},
+    "commands": PHYSICS | {"case", "design", "explore", "report"},
     "__main__": {"commands"},
 }
 ONLY_IN = {
@@ -43,7 +47,7 @@ ONLY_IN = {
     "pydantic": {"case"},
     "pydantic_core": {"case"},
     "pint": {"case"},
-    "casadi": {"arithmetic", "rollout", "driveline", "bearing", "case", "design"},
+    "casadi": {"arithmetic", "case", "design"} | PHYSICS | {"lanes"},
 }
 LINES_PER_MODULE = 250
 LINES_PER_FUNCTION = 40
@@ -209,12 +213,12 @@ def plant(tmp_path):
         target.write_text(text, encoding="utf-8")
         return tmp_path
 
-    for path in ("", "driveline/", "bearing/", "design/", "report/"):
+    for path in ("", "line/", "parts/", "parts/bearing/", "design/", "report/"):
         write(f"{path}__init__.py", "")
     write("errors.py", "")
-    write("driveline/modes.py", "import casadi\nfrom ..errors import Error\n")
-    write("bearing/life.py", "from coupling_design import __version__, errors\n")
-    write("design/flow.py", "from coupling_design.driveline import modes\n")
+    write("line/modes.py", "import casadi\nfrom ..errors import Error\n")
+    write("parts/bearing/life.py", "from coupling_design import __version__, errors\n")
+    write("design/flow.py", "from coupling_design.line import modes\n")
     return write
 
 
@@ -230,21 +234,23 @@ def test_a_sound_package_passes(plant):
         "import coupling_design.design.flow",
         "from coupling_design.design import flow",
         "from coupling_design.design.flow import STAGES",
-        "from ..design import flow",
+        "from ...design import flow",
         "def late():\n    from coupling_design.design import flow",
         "if TYPE_CHECKING:\n    from coupling_design.design import flow",
     ],
 )
 def test_a_wrong_arrow_is_found(plant, statement):
-    root = plant("bearing/damage.py", statement)
+    root = plant("parts/bearing/damage.py", statement)
     [found] = wrong_arrows(root)
-    assert found.startswith("coupling_design.bearing.damage imports coupling_design.de")
+    assert found.startswith(
+        "coupling_design.parts.bearing.damage imports coupling_design.de"
+    )
 
 
 def test_strangers_stay_strangers(plant):
-    root = plant("bearing/damage.py", "from coupling_design import driveline")
+    root = plant("parts/bearing/damage.py", "from coupling_design import line")
     assert wrong_arrows(root) == [
-        "coupling_design.bearing.damage imports coupling_design.driveline"
+        "coupling_design.parts.bearing.damage imports coupling_design.line"
     ]
 
 
@@ -253,7 +259,7 @@ def test_strangers_stay_strangers(plant):
     [
         ("design/flow.py", "rich"),
         ("design/flow.py", "pint"),
-        ("driveline/modes.py", "yaml"),
+        ("line/modes.py", "yaml"),
         ("errors.py", "pydantic"),
         ("report/panels.py", "casadi"),
     ],
@@ -264,11 +270,11 @@ def test_a_misplaced_library_is_found(plant, path, library):
 
 
 def test_a_cycle_is_found(plant):
-    root = plant("driveline/modes.py", "from coupling_design.driveline import rollout")
-    plant("driveline/rollout.py", "def late():\n    from . import modes")
+    root = plant("line/modes.py", "from coupling_design.line import rollout")
+    plant("line/rollout.py", "def late():\n    from . import modes")
     assert set(cycle(root)) == {
-        "coupling_design.driveline.modes",
-        "coupling_design.driveline.rollout",
+        "coupling_design.line.modes",
+        "coupling_design.line.rollout",
     }
 
 

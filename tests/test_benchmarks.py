@@ -6,7 +6,7 @@ import pytest
 
 from benchmarks.page import page
 from benchmarks.table import Row, at_least, at_most, table
-from coupling_design.rollout.compiled.compiler import CompilerError, find_compiler
+from coupling_design.lanes.compiler import CompilerError, find_compiler
 
 ROOT = Path(__file__).parent.parent
 METHODS = (

@@ -6,10 +6,10 @@ from pathlib import Path
 import pint
 import pytest
 
-from coupling_design.bearing import parameters as bearing
-from coupling_design.driveline import parameters as driveline
 from coupling_design.engine import figures, firing, orders
 from coupling_design.engine import parameters as engine
+from coupling_design.line import parameters as driveline
+from coupling_design.parts.bearing import parameters as bearing
 
 NOMENCLATURE = Path(__file__).parents[1] / "NOMENCLATURE.md"
 NOT_PHYSICAL = {"–", "text", "part", "rev"}

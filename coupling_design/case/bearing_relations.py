@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from coupling_design.bearing.parameters import BearingType
 from coupling_design.case.kinds import (
     STRESS_COEFFICIENT,
     Stress,
@@ -12,6 +11,7 @@ from coupling_design.case.kinds import (
 )
 from coupling_design.case.problem import Path, Problem
 from coupling_design.case.values import Values
+from coupling_design.parts.bearing.parameters import BearingType
 
 
 def check_contacts(values: Values) -> Iterator[Problem]:

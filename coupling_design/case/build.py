@@ -2,12 +2,6 @@
 
 from __future__ import annotations
 
-from coupling_design.bearing.parameters import (
-    Bearing,
-    Contact,
-    Lubrication,
-    ShaftGeometry,
-)
 from coupling_design.case.build_coupling import build_damping_law
 from coupling_design.case.build_duty import (
     build_duty,
@@ -41,12 +35,18 @@ from coupling_design.case.schema import (
     PresentConnection,
 )
 from coupling_design.case.unused import unused_values
-from coupling_design.driveline.parameters import (
+from coupling_design.line.parameters import (
     Connection,
     Coupling,
     Driveline,
     ExcitationOrder,
     Resistance,
+)
+from coupling_design.parts.bearing.parameters import (
+    Bearing,
+    Contact,
+    Lubrication,
+    ShaftGeometry,
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from coupling_design.case.schema import LossFactor, Proportional, Relative
-from coupling_design.driveline.parameters import (
+from coupling_design.line.parameters import (
     DampingLaw,
     LossFactorDamping,
     ProportionalDamping,

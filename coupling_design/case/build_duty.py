@@ -12,8 +12,8 @@ from coupling_design.case.engine_schema import (
 )
 from coupling_design.case.schema import CaseSection, DrivelineSection
 from coupling_design.case.stated import Stated
-from coupling_design.driveline.parameters import ExcitationOrder
 from coupling_design.engine import first_crank_mode
+from coupling_design.line.parameters import ExcitationOrder
 
 
 def build_duty(section: DutySection) -> Duty:

@@ -11,7 +11,6 @@ from coupling_design.case.engine_schema import (
     WorkingEngine,
 )
 from coupling_design.case.pressure_file import load_trace
-from coupling_design.driveline.parameters import ExcitationOrder
 from coupling_design.engine import (
     Arrangement,
     Charge,
@@ -24,6 +23,7 @@ from coupling_design.engine import (
     engine_orders,
     firing_angles,
 )
+from coupling_design.line.parameters import ExcitationOrder
 
 CRANKCASE_PRESSURE = 1e5  # unless given: the atmosphere's [Pa]
 THRESHOLD = 0.01  # unless given: share of the largest order

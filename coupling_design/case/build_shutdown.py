@@ -6,14 +6,14 @@ from coupling_design.case.case import StartWord
 from coupling_design.case.engine_schema import EngineExcitation
 from coupling_design.case.schema import DrivelineSection
 from coupling_design.case.shutdown_schema import FuelCutSection, ShutdownSection
-from coupling_design.driveline.parameters import (
+from coupling_design.engine import Cycle
+from coupling_design.line.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
     SettledStart,
     Shutdown,
     Start,
 )
-from coupling_design.engine import Cycle
 
 
 def build_shutdown(section: ShutdownSection, driveline: DrivelineSection) -> Shutdown:

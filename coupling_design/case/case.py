@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from coupling_design.bearing.parameters import Bearing, Lubrication, ShaftGeometry
 from coupling_design.case.catalogue_sizes import CatalogueFile, CouplingSize
 from coupling_design.case.words import Choice as Choice
 from coupling_design.case.words import ConnectionKind as ConnectionKind
@@ -12,7 +11,8 @@ from coupling_design.case.words import LoadLimitReading as LoadLimitReading
 from coupling_design.case.words import Plan as Plan
 from coupling_design.case.words import Source as Source
 from coupling_design.case.words import StartWord as StartWord
-from coupling_design.driveline.parameters import (
+from coupling_design.errors import CaseError
+from coupling_design.line.parameters import (
     Connection,
     DampingLaw,
     Driveline,
@@ -21,7 +21,7 @@ from coupling_design.driveline.parameters import (
     Shutdown,
     TightFit,
 )
-from coupling_design.errors import CaseError
+from coupling_design.parts.bearing.parameters import Bearing, Lubrication, ShaftGeometry
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from coupling_design.driveline.parameters import DampingLaw
+from coupling_design.line.parameters import DampingLaw
 
 
 class CouplingKind(StrEnum):

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from coupling_design.bearing.life import RELIABILITY_FACTORS
 from coupling_design.case.bearing_relations import check_contacts
 from coupling_design.case.case import LoadLimitReading
 from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues
@@ -35,6 +34,7 @@ from coupling_design.case.kinds import (
 from coupling_design.case.problem import Path, Problem
 from coupling_design.case.quantity import exceeds
 from coupling_design.case.values import Values, check_ordered, check_unique
+from coupling_design.parts.bearing.life import RELIABILITY_FACTORS
 
 _MOST_STEPS = 10_000_000
 _FEWEST_STEPS = 100  # fewer show no vibration, whatever its frequency

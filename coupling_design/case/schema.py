@@ -10,7 +10,6 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from coupling_design.bearing.parameters import BearingType, Cleanliness
 from coupling_design.case.case import Choice, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.case.duty_schema import DutySection
 from coupling_design.case.excitation_schema import Excitation
@@ -34,6 +33,7 @@ from coupling_design.case.kinds import (
 )
 from coupling_design.case.shutdown_schema import ShutdownSection
 from coupling_design.case.stated import Section, Stated
+from coupling_design.parts.bearing.parameters import BearingType, Cleanliness
 
 Text = Annotated[str, Field(min_length=1)]
 

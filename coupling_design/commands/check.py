@@ -147,7 +147,7 @@ def _conclusion(
     case: Case, given: Sequence[EchoedValue], defaults: Sequence[EchoedValue]
 ) -> Iterator[tuple[str, str]]:
     from coupling_design.design.stability import candidates, stable_step
-    from coupling_design.driveline.modes import natural_angular_frequency
+    from coupling_design.line.modes import natural_angular_frequency
 
     judged = sum(value.source in _JUDGED for value in given)
     frequency = float(natural_angular_frequency(case.driveline)) / (2 * math.pi)

@@ -6,10 +6,6 @@ import math
 
 import numpy as np
 
-from coupling_design.bearing.lubrication import (
-    VISCOSITY_RATIO_RANGE,
-    unclamped_viscosity_ratio,
-)
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.conditioning import conditioning
@@ -18,8 +14,12 @@ from coupling_design.design.results import Baseline, Performance, Rundown
 from coupling_design.design.search import Workbench
 from coupling_design.design.sensitivity import sensitivity
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.modes import largest_stable_step
-from coupling_design.driveline.resonance import largest_swing, rest_time
+from coupling_design.line.modes import largest_stable_step
+from coupling_design.parts.bearing.lubrication import (
+    VISCOSITY_RATIO_RANGE,
+    unclamped_viscosity_ratio,
+)
+from coupling_design.signals.resonance import largest_swing, rest_time
 
 
 def present_candidate(case: Case) -> Candidate:

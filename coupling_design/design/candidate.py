@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from coupling_design.arithmetic import Scalar
 from coupling_design.case.case import Case, ConnectionOption, CouplingType
 from coupling_design.case.catalogue_sizes import CouplingSize
-from coupling_design.driveline.parameters import Coupling, Driveline
+from coupling_design.line.parameters import Coupling, Driveline
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,12 @@ import numpy as np
 
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
-from coupling_design.driveline.parameters import (
+from coupling_design.events.settled_state import period_of
+from coupling_design.line.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
     Shutdown,
 )
-from coupling_design.driveline.settled_state import period_of
 
 # Of the golden section: a lattice of this slope fills the square most evenly.
 _GOLDEN = (3 - math.sqrt(5)) / 2

@@ -11,13 +11,13 @@ from __future__ import annotations
 import math
 
 from coupling_design.arithmetic import Scalar, maximum
-from coupling_design.bearing.contact_stress import (
-    minimum_load,
-    permissible_transmission_force,
-)
 from coupling_design.case.case import Case, LoadLimitReading
 from coupling_design.design.problem import Constraint
 from coupling_design.design.results import Performance, Sense
+from coupling_design.parts.bearing.contact_stress import (
+    minimum_load,
+    permissible_transmission_force,
+)
 
 # Above this ratio of excitation to natural frequency a soft mount attenuates, [1].
 ISOLATION_RATIO = math.sqrt(2)

@@ -21,8 +21,8 @@ from coupling_design.case.case import Case, CouplingType
 from coupling_design.case.catalogue_sizes import CouplingSize
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.performance import Criterion, held, not_checked
-from coupling_design.driveline.coupling_load import resonance_passage, working_load
-from coupling_design.driveline.parameters import Driveline
+from coupling_design.line.parameters import Driveline
+from coupling_design.speeds.coupling_load import resonance_passage, working_load
 
 _MOTORED = "; motored orders, the fired are larger"
 

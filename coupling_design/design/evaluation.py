@@ -21,8 +21,8 @@ from coupling_design.design.point_reader import PointReader
 from coupling_design.design.quantities import TOTALS
 from coupling_design.design.run_downs import RunDowns, joint_states
 from coupling_design.design.totals import over_chance, spread_of
-from coupling_design.driveline.history import History
-from coupling_design.driveline.parameters import Start
+from coupling_design.line.parameters import Start
+from coupling_design.signals.history import History
 
 _REMEMBERED = 64  # gradients: a solver asks at most a few times in a row
 _HISTORIES = 2

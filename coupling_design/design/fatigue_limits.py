@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from coupling_design.bearing.contact_stress import minimum_load
-from coupling_design.bearing.life import fatigue_load_limit
-from coupling_design.bearing.parameters import Bearing, Contact
 from coupling_design.case.case import Case
+from coupling_design.parts.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.life import fatigue_load_limit
+from coupling_design.parts.bearing.parameters import Bearing, Contact
 
 _LAWS = {
     Contact.LINE: "square root, a line contact's law",

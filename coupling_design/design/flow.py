@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable
 from contextlib import closing
 
-from coupling_design.bearing.contact_stress import strict_transmission_force
 from coupling_design.case.case import Case, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.design.baseline import (
     evaluate_baseline,
@@ -62,6 +61,7 @@ from coupling_design.design.state import (
     options_of,
 )
 from coupling_design.design.warnings import weight_above_limit
+from coupling_design.parts.bearing.contact_stress import strict_transmission_force
 
 Stage = Callable[[FlowState], FlowState]
 

@@ -8,18 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.bearing.contact_stress import minimum_load
-from coupling_design.bearing.damage import share_of_life
-from coupling_design.bearing.life import (
-    basic_rating_life,
-    life_modification_factor,
-    modified_life,
-)
-from coupling_design.bearing.loads import combined_load, rotational_loads, static_loads
-from coupling_design.bearing.lubrication import (
-    contamination_factor,
-    unclamped_viscosity_ratio,
-)
 from coupling_design.case.case import Case
 from coupling_design.design.problem import DesignSpace, Objective
 from coupling_design.design.results import Performance, StepResult
@@ -27,9 +15,25 @@ from coupling_design.design.search import problem
 from coupling_design.design.signals import BearingHistory, RundownHistory
 from coupling_design.design.state import FlowState, Solution, gap_nearest_present
 from coupling_design.design.survey import Survey, survey
-from coupling_design.driveline.detrending import collision_force
-from coupling_design.driveline.history import History
-from coupling_design.driveline.resonance import largest_swing
+from coupling_design.parts.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.damage import share_of_life
+from coupling_design.parts.bearing.life import (
+    basic_rating_life,
+    life_modification_factor,
+    modified_life,
+)
+from coupling_design.parts.bearing.loads import (
+    combined_load,
+    rotational_loads,
+    static_loads,
+)
+from coupling_design.parts.bearing.lubrication import (
+    contamination_factor,
+    unclamped_viscosity_ratio,
+)
+from coupling_design.signals.detrending import collision_force
+from coupling_design.signals.history import History
+from coupling_design.signals.resonance import largest_swing
 
 # Gaps in the plane of the chosen coupling: one that no step of the flow needed.
 _GAPS = 16

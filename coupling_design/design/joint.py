@@ -8,22 +8,22 @@ from __future__ import annotations
 
 import casadi as ca
 
-from coupling_design.bearing.damage import damage_increment
-from coupling_design.bearing.loads import (
-    combined_load,
-    rotational_loads,
-    static_loads,
-)
 from coupling_design.case.case import Case
 from coupling_design.design.quantities import QUANTITIES, TOTALS, Segment
-from coupling_design.driveline.dynamics import Motion
-from coupling_design.driveline.parameters import Driveline, Shutdown
-from coupling_design.driveline.run_down import (
+from coupling_design.events.shutdown import (
     closed_start,
     run_down_motion,
     run_down_state_names,
 )
-from coupling_design.rollout.runge_kutta import rk4_step
+from coupling_design.line.motion import Motion
+from coupling_design.line.parameters import Driveline, Shutdown
+from coupling_design.march.runge_kutta import rk4_step
+from coupling_design.parts.bearing.damage import damage_increment
+from coupling_design.parts.bearing.loads import (
+    combined_load,
+    rotational_loads,
+    static_loads,
+)
 
 
 def joint_step(

@@ -13,7 +13,7 @@ from coupling_design.design.warnings import (
     run_down_warnings,
     stop_remark,
 )
-from coupling_design.driveline.parameters import FuelCutStart
+from coupling_design.line.parameters import FuelCutStart
 
 
 def outcome_warnings(

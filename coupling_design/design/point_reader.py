@@ -9,8 +9,8 @@ from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.performance import Performance, performance_of
 from coupling_design.design.quantities import TOTALS
-from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import Driveline
+from coupling_design.line.modes import natural_angular_frequency
+from coupling_design.line.parameters import Driveline
 
 
 class PointReader:

@@ -22,16 +22,17 @@ from coupling_design.design.variables import (
     Variables,
     make_variables,
 )
-from coupling_design.driveline.dynamics import inertias
-from coupling_design.driveline.history import History, history_of
-from coupling_design.driveline.parameters import Start
-from coupling_design.driveline.start import StartingStates
 from coupling_design.errors import SimulationError
-from coupling_design.rollout.compiled.march import start_compiling
-from coupling_design.rollout.divergence import steps_to_divergence
-from coupling_design.rollout.fastest import fastest_marcher
-from coupling_design.rollout.marcher import Marcher
-from coupling_design.rollout.sensitivities import with_sensitivities
+from coupling_design.events.recording import history_of
+from coupling_design.events.start import StartingStates
+from coupling_design.lanes.march import start_compiling
+from coupling_design.line.motion import inertias
+from coupling_design.line.parameters import Start
+from coupling_design.march.divergence import steps_to_divergence
+from coupling_design.march.fastest import fastest_marcher
+from coupling_design.march.marcher import Marcher
+from coupling_design.march.sensitivities import with_sensitivities
+from coupling_design.signals.history import History
 
 
 class RunDowns:

@@ -14,8 +14,8 @@ from coupling_design.design.digits import standing_digits
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.performance import Performance
 from coupling_design.design.variables import FIRST_AMPLITUDE, INITIAL_SPEED
-from coupling_design.driveline.modes import largest_stable_step
-from coupling_design.driveline.parameters import KeyedConnection
+from coupling_design.line.modes import largest_stable_step
+from coupling_design.line.parameters import KeyedConnection
 
 # Factors on each.
 _SPEED = (0.97, 1.03)

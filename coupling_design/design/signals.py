@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.driveline.history import History
+from coupling_design.signals.history import History
 
 
 @dataclass(frozen=True)

@@ -26,13 +26,13 @@ from coupling_design.design.steady_vibration import (
     evaluate_vibration,
     operating_points,
 )
-from coupling_design.driveline.campbell import (
+from coupling_design.line.parameters import Driveline
+from coupling_design.speeds.campbell import (
     CriticalSpeed,
     critical_speeds,
     natural_frequencies,
     order_lines,
 )
-from coupling_design.driveline.parameters import Driveline
 
 CHART_END = 1.1  # of the highest working speed
 # Points of the curves near a critical speed, relative to it: 0.5 % apart, so that a

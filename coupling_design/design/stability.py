@@ -7,8 +7,8 @@ from itertools import product
 
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
-from coupling_design.driveline.modes import largest_stable_step
 from coupling_design.errors import CaseError
+from coupling_design.line.modes import largest_stable_step
 
 
 def check_time_step(case: Case) -> None:

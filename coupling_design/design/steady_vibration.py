@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.driveline.forced_response import forced_response
-from coupling_design.driveline.parameters import Driveline
+from coupling_design.line.forced_response import forced_response
+from coupling_design.line.parameters import Driveline
 
 _SPEEDS = 550  # evenly over the range; those asked for come on top
 

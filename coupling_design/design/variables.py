@@ -16,7 +16,7 @@ import numpy as np
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case.case import Case
 from coupling_design.design.candidate import Candidate, candidate_driveline
-from coupling_design.driveline.parameters import Driveline, KeyedConnection, Shutdown
+from coupling_design.line.parameters import Driveline, KeyedConnection, Shutdown
 
 N_DESIGN = 2  # stiffness and gap
 CRANK_ANGLE, GRAVITY_ANGLE, INITIAL_SPEED, FIRST_AMPLITUDE = 2, 3, 4, 5

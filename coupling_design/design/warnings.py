@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from coupling_design.bearing.contact_stress import minimum_load
-from coupling_design.bearing.loads import static_loads
 from coupling_design.case.case import Case
 from coupling_design.design.performance import Performance
 from coupling_design.design.usual_ranges import outside_usual_ranges
-from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import ExcitationOrder, KeyedConnection
+from coupling_design.line.modes import natural_angular_frequency
+from coupling_design.line.parameters import ExcitationOrder, KeyedConnection
+from coupling_design.parts.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.loads import static_loads
 
 _STIFF_CONTACT = 10.0  # times the coupling; softer, the key is the coupling
 # ISO 281 holds up to half the dynamic rating.

@@ -16,8 +16,8 @@ from coupling_design.case.save import changed_text, exact_text, moved, quoted
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.results import ChosenDesign, DesignOutcome
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.parameters import Driveline
 from coupling_design.errors import CaseError, DesignError
+from coupling_design.line.parameters import Driveline
 
 _DRIVELINE = "driveline"
 _STIFFNESS = f"{_DRIVELINE}.coupling.torsional_stiffness"

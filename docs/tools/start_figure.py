@@ -18,13 +18,14 @@ sys.path.insert(0, str(ROOT))
 
 from coupling_design.arithmetic import FloatArray  # noqa: E402
 from coupling_design.case import load_case  # noqa: E402
-from coupling_design.driveline.dynamics import motion  # noqa: E402
-from coupling_design.driveline.history import simulate  # noqa: E402
-from coupling_design.driveline.initial_state import (  # noqa: E402
+from coupling_design.events.recording import simulate  # noqa: E402
+from coupling_design.events.settled_state import settled_state  # noqa: E402
+from coupling_design.line.even_start import (  # noqa: E402
     all_resistances,
     quasi_steady_state,
 )
-from coupling_design.driveline.parameters import (  # noqa: E402
+from coupling_design.line.motion import motion  # noqa: E402
+from coupling_design.line.parameters import (  # noqa: E402
     Driveline,
     FuelCutStart,
     QuasiSteadyStart,
@@ -32,7 +33,6 @@ from coupling_design.driveline.parameters import (  # noqa: E402
     Shutdown,
     Start,
 )
-from coupling_design.driveline.settled_state import settled_state  # noqa: E402
 from studies.drawing import BLUE, GREY, canvas, save  # noqa: E402
 from studies.machine import high_stiffness, required_stiffness  # noqa: E402
 

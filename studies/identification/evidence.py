@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.bearing.damage import PAPER_UNIT
 from coupling_design.case.case import Case
+from coupling_design.parts.bearing.damage import PAPER_UNIT
 from studies.forces import change
 from studies.identification.explanation import sentences
 from studies.identification.identifiability import Identifiability, identifiability

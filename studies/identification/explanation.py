@@ -15,9 +15,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coupling_design.bearing.life import LIFE_EXPONENT, ROLLER
-from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case.case import Case
+from coupling_design.parts.bearing.life import LIFE_EXPONENT, ROLLER
+from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.identification.model import MORE_VARIANTS, run
 from studies.identification.parameters import Inputs, named_sets, shipped
 from studies.identification.targets import HALF, TARGETS, phases, targets_of

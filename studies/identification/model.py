@@ -15,13 +15,12 @@ import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray, Scalar, where
-from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case.case import Case
 from coupling_design.design.joint import joint_start, joint_step
 from coupling_design.design.quantities import TOTALS
-from coupling_design.driveline.damping import coupling_damping
-from coupling_design.driveline.dynamics import motion, reduced_inertia, state_names
-from coupling_design.driveline.parameters import (
+from coupling_design.line.damping import coupling_damping
+from coupling_design.line.motion import motion, reduced_inertia, state_names
+from coupling_design.line.parameters import (
     Coupling,
     Driveline,
     KeyedConnection,
@@ -30,8 +29,9 @@ from coupling_design.driveline.parameters import (
     Shutdown,
     TightFit,
 )
-from coupling_design.rollout.fastest import fastest_marcher
-from coupling_design.rollout.marcher import Marcher
+from coupling_design.march.fastest import fastest_marcher
+from coupling_design.march.marcher import Marcher
+from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.identification.parameters import NAMES, Inputs
 from studies.machine import high_stiffness, required_stiffness
 

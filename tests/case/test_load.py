@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from coupling_design.bearing.parameters import BearingType, Cleanliness
 from coupling_design.case import (
     ConnectionKind,
     ConnectionOption,
@@ -16,7 +15,8 @@ from coupling_design.case import (
     Source,
     load_case,
 )
-from coupling_design.driveline.parameters import (
+from coupling_design.errors import CaseError
+from coupling_design.line.parameters import (
     ExcitationOrder,
     KeyedConnection,
     LossFactorDamping,
@@ -25,7 +25,7 @@ from coupling_design.driveline.parameters import (
     Shutdown,
     TightFit,
 )
-from coupling_design.errors import CaseError
+from coupling_design.parts.bearing.parameters import BearingType, Cleanliness
 
 CASES = Path(__file__).parents[2] / "cases"
 RPM = 2 * math.pi / 60

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from coupling_design.bearing.contact_stress import minimum_load
-from coupling_design.bearing.parameters import BearingType, Contact
 from coupling_design.case import load_case
+from coupling_design.parts.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.parameters import BearingType, Contact
 
 CASES = Path(__file__).parents[2] / "cases"
 # (800/3.62)^2, (800/4.41)^2 and (2000/11.40)^2, twice (1500/23.29)^2

@@ -2,9 +2,9 @@
 
 import pytest
 
-from coupling_design.bearing.contact_stress import minimum_load
 from coupling_design.case import load_case
 from coupling_design.errors import CaseError
+from coupling_design.parts.bearing.contact_stress import minimum_load
 
 BALL = "bearings[1].stress_coefficient"
 ROLLER = "bearings[0].type=radial_roller"

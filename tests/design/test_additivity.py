@@ -3,7 +3,7 @@ import pytest
 
 from coupling_design.design.quantities import QUANTITIES, TOTALS, Gathering
 from coupling_design.design.run_downs import joint_states
-from coupling_design.rollout.fastest import fastest_marcher
+from coupling_design.march.fastest import fastest_marcher
 
 SUMS = np.array([each.gathering is Gathering.ADDS_UP for each in QUANTITIES])
 

@@ -14,7 +14,7 @@ from coupling_design.design.problem import DesignSpace, Objective
 from coupling_design.design.search import Effort, problem
 from coupling_design.design.survey import survey
 from coupling_design.errors import SimulationError
-from coupling_design.rollout.compiled.compiler import VARIABLE
+from coupling_design.lanes.compiler import VARIABLE
 
 N, GAPS = 6, 5
 EFFORT = Effort(

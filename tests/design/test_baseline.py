@@ -7,8 +7,8 @@ from coupling_design.design.baseline import (
     present_candidate,
     rundown,
 )
-from coupling_design.driveline.history import simulate
-from coupling_design.driveline.modes import largest_stable_step
+from coupling_design.events.recording import simulate
+from coupling_design.line.modes import largest_stable_step
 
 
 @pytest.fixture(scope="module")

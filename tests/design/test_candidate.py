@@ -3,7 +3,7 @@ import pytest
 from coupling_design.case.case import ConnectionKind
 from coupling_design.design.candidate import Candidate, candidate_driveline
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.parameters import LossFactorDamping
+from coupling_design.line.parameters import LossFactorDamping
 
 HALF = ("type: rubber\n", "type: rubber\n    driving_inertia: 0.15 kg*m^2\n")
 

@@ -7,7 +7,7 @@ import pytest
 from coupling_design.design.chance import chances, describe_start
 from coupling_design.design.quantities import TOTALS
 from coupling_design.design.totals import over_chance, spread_of
-from coupling_design.driveline.parameters import (
+from coupling_design.line.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
     SettledStart,

@@ -2,7 +2,6 @@ import math
 
 import pytest
 
-from coupling_design.bearing.contact_stress import strict_transmission_force
 from coupling_design.case.case import LoadLimitReading
 from coupling_design.design.constraints import (
     ISOLATION_RATIO,
@@ -14,6 +13,7 @@ from coupling_design.design.constraints import (
     survival_constraints,
 )
 from coupling_design.design.results import Sense
+from coupling_design.parts.bearing.contact_stress import strict_transmission_force
 
 TRANSMISSION_FORCE = LoadLimitReading.TRANSMISSION_FORCE
 COMBINED_LOAD = LoadLimitReading.COMBINED_LOAD

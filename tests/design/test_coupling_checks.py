@@ -11,7 +11,7 @@ from coupling_design.design.candidate import Candidate
 from coupling_design.design.coupling_checks import size_criteria
 from coupling_design.design.performance import Verdict, none_fails
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.parameters import ExcitationOrder, Resistance
+from coupling_design.line.parameters import ExcitationOrder, Resistance
 
 MOTORED = "; motored orders, the fired are larger"
 FREE = Resistance(viscous=0.0, friction=0.0, transition_speed=1.0)

@@ -3,16 +3,16 @@ import re
 import numpy as np
 import pytest
 
-from coupling_design.bearing.damage import miner_damage
-from coupling_design.bearing.loads import (
+from coupling_design.design.evaluation import Evaluator
+from coupling_design.errors import SimulationError
+from coupling_design.events.recording import simulate
+from coupling_design.line.modes import modes
+from coupling_design.parts.bearing.damage import miner_damage
+from coupling_design.parts.bearing.loads import (
     combined_load,
     rotational_loads,
     static_loads,
 )
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.driveline.history import simulate
-from coupling_design.driveline.modes import modes
-from coupling_design.errors import SimulationError
 
 POINTS = {
     # Rattling amplifies the last digit.

@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.bearing.parameters import BearingType, Contact
 from coupling_design.design.fatigue_limits import fatigue_limits
+from coupling_design.parts.bearing.parameters import BearingType, Contact
 
 
 def test_the_papers_bearing_has_two_limits(paper):

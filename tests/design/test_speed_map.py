@@ -18,8 +18,8 @@ from coupling_design.design.results import ChosenDesign, Conditioning, Rundown
 from coupling_design.design.sensitivity import Sensitivity
 from coupling_design.design.speed_map import evaluate_speed_map
 from coupling_design.design.state import connection_option
-from coupling_design.driveline.campbell import Position
-from coupling_design.driveline.parameters import ExcitationOrder
+from coupling_design.line.parameters import ExcitationOrder
+from coupling_design.speeds.campbell import Position
 
 RPM = math.pi / 30
 

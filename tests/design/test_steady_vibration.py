@@ -9,8 +9,8 @@ from coupling_design.design.steady_vibration import (
     evaluate_vibration,
     operating_points,
 )
-from coupling_design.driveline.forced_response import power_loss, vibratory_torque
-from coupling_design.driveline.parameters import ExcitationOrder
+from coupling_design.line.forced_response import power_loss, vibratory_torque
+from coupling_design.line.parameters import ExcitationOrder
 
 WORKING = (41.9, 104.7)
 

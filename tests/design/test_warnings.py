@@ -15,7 +15,7 @@ from coupling_design.design.warnings import (
     stop_remark,
     weight_above_limit,
 )
-from coupling_design.driveline.parameters import ExcitationOrder
+from coupling_design.line.parameters import ExcitationOrder
 
 RPM = math.pi / 30
 SHIPPED = sorted((Path(__file__).parents[2] / "cases").glob("*.yaml"))

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from coupling_design.commands.app import COMMANDS
-from coupling_design.rollout.compiled.compiler import CompilerError, find_compiler
+from coupling_design.lanes.compiler import CompilerError, find_compiler
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -32,7 +32,7 @@ from coupling_design.design.results import (
     Verdict,
 )
 from coupling_design.design.sensitivity import Move, Sensitivity
-from coupling_design.driveline.parameters import LossFactorDamping
+from coupling_design.line.parameters import LossFactorDamping
 
 CASE = Path(__file__).parents[2] / "cases" / "16v280.yaml"
 PRESENT = Performance(

@@ -15,9 +15,9 @@ from coupling_design.design.speed_map import (
     evaluate_speed_map,
 )
 from coupling_design.design.steady_vibration import OperatingPoint, SteadyVibration
-from coupling_design.driveline.campbell import CriticalSpeed, Position
 from coupling_design.report.campbell import render_speed_map
 from coupling_design.report.console import plain_text
+from coupling_design.speeds.campbell import CriticalSpeed, Position
 
 WIDTHS = (80, 120)
 RPM = math.pi / 30

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coupling_design.bearing.parameters import Cleanliness
 from coupling_design.case import load_case
+from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.identification import explanation, model, trade_off
 from studies.identification.identifiability import Identifiability, describe, ranges
 from studies.identification.jacobian import differences
@@ -177,7 +177,7 @@ def test_the_extras_are_those_of_the_history(short):
     found = model.run(short, [shipped()])
     history = present(short).driveline(*present_point(short))
 
-    from coupling_design.driveline.history import simulate
+    from coupling_design.events.recording import simulate
 
     signals = simulate(history, short.shutdown)
     torque = np.abs(signals.coupling_torque)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coupling_design.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.contact_stress import minimum_load
 from studies import contact, gap, honest_reading, lubrication, resonance, stiffness
 from studies.forces import deviation_from_line, reversals
 from studies.machine import (

@@ -7,7 +7,7 @@ from pathlib import Path
 from coupling_design.case import ConnectionKind, Plan, load_case
 from coupling_design.design.candidate import Candidate
 from coupling_design.design.evaluation import Evaluator
-from coupling_design.driveline.parameters import (
+from coupling_design.line.parameters import (
     Coupling,
     Driveline,
     KeyedConnection,

@@ -9,9 +9,9 @@ Sources
 import casadi as ca
 import numpy as np
 
-from coupling_design.driveline.dynamics import motion, state_names
-from coupling_design.rollout.march import march
-from coupling_design.rollout.runge_kutta import rk4_step
+from coupling_design.line.motion import motion, state_names
+from coupling_design.march.runge_kutta import rk4_step
+from coupling_design.march.tower import march
 
 NO_PARAMETERS = ca.DM(0, 1)
 

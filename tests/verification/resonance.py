@@ -9,11 +9,11 @@ import functools
 import casadi as ca
 import numpy as np
 
-from coupling_design.driveline.history import simulate
-from coupling_design.driveline.initial_state import quasi_steady_state
-from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import QuasiSteadyStart
-from coupling_design.driveline.resonance import largest_swing
+from coupling_design.events.recording import simulate
+from coupling_design.line.even_start import quasi_steady_state
+from coupling_design.line.modes import natural_angular_frequency
+from coupling_design.line.parameters import QuasiSteadyStart
+from coupling_design.signals.resonance import largest_swing
 from tests.verification.drivelines import shipped_case
 from tests.verification.integration import rate_function, rk4
 

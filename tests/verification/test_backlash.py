@@ -24,7 +24,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from coupling_design.driveline.parameters import (
+from coupling_design.line.parameters import (
     Coupling,
     Driveline,
     KeyedConnection,

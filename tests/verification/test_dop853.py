@@ -20,17 +20,17 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from coupling_design.bearing.damage import damage_increment
-from coupling_design.bearing.loads import (
+from coupling_design.events.recording import simulate
+from coupling_design.line.contact import half_gap_angle
+from coupling_design.line.modes import modes
+from coupling_design.line.motion import motion
+from coupling_design.line.parameters import Shutdown
+from coupling_design.parts.bearing.damage import damage_increment
+from coupling_design.parts.bearing.loads import (
     combined_load,
     rotational_loads,
     static_loads,
 )
-from coupling_design.driveline.dynamics import motion
-from coupling_design.driveline.history import simulate
-from coupling_design.driveline.key_gap import half_gap_angle
-from coupling_design.driveline.modes import modes
-from coupling_design.driveline.parameters import Shutdown
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import (
     evaluator,

@@ -19,10 +19,10 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from coupling_design.driveline.damping import coupling_damping
-from coupling_design.driveline.dynamics import reduced_inertia
-from coupling_design.driveline.excitation import excitation_torque, resistance_torque
-from coupling_design.driveline.key_gap import contact_deflection, half_gap_angle
+from coupling_design.line.contact import contact_deflection, half_gap_angle
+from coupling_design.line.damping import coupling_damping
+from coupling_design.line.motion import reduced_inertia
+from coupling_design.line.torques import excitation_torque, resistance_torque
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import shipped_case, with_gap
 from tests.verification.integration import dop853, rate_function, rk4

@@ -25,9 +25,9 @@ import math
 import numpy as np
 import pytest
 
-from coupling_design.driveline.history import simulate
-from coupling_design.driveline.modes import natural_angular_frequency
-from coupling_design.driveline.parameters import (
+from coupling_design.events.recording import simulate
+from coupling_design.line.modes import natural_angular_frequency
+from coupling_design.line.parameters import (
     ExcitationOrder,
     QuasiSteadyStart,
     Resistance,

@@ -17,7 +17,7 @@ import math
 import numpy as np
 import pytest
 
-from coupling_design.bearing.life import (
+from coupling_design.parts.bearing.life import (
     LIFE_EXPONENT,
     RELIABILITY_FACTORS,
     VISCOSITY_COEFFICIENTS,
@@ -25,12 +25,12 @@ from coupling_design.bearing.life import (
     fatigue_load_limit,
     life_modification_factor,
 )
-from coupling_design.bearing.lubrication import (
+from coupling_design.parts.bearing.lubrication import (
     GREASE_CONTAMINATION,
     reference_viscosity,
     viscosity_at_temperature,
 )
-from coupling_design.bearing.parameters import Bearing, BearingType
+from coupling_design.parts.bearing.parameters import Bearing, BearingType
 
 
 def bearing_of(designation, kind, rating_kN, pitch_diameter_mm, static_rating_kN=1.0):

@@ -16,7 +16,7 @@ import math
 import numpy as np
 import pytest
 
-from coupling_design.driveline.modes import modes, natural_angular_frequency
+from coupling_design.line.modes import modes, natural_angular_frequency
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import three_masses, two_masses
 

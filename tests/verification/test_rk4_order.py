@@ -12,7 +12,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from coupling_design.driveline.parameters import ExcitationOrder
+from coupling_design.line.parameters import ExcitationOrder
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import three_masses, two_masses
 from tests.verification.integration import dop853, rate_function, rk4

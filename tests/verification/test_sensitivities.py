@@ -19,8 +19,8 @@ import pytest
 
 from coupling_design.design.evaluation import Evaluator
 from coupling_design.design.quantities import TOTALS
-from coupling_design.driveline.key_gap import half_gap_angle
-from coupling_design.driveline.parameters import Shutdown
+from coupling_design.line.contact import half_gap_angle
+from coupling_design.line.parameters import Shutdown
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import (
     evaluator,

@@ -25,14 +25,14 @@ import numpy as np
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.driveline.held_line import HeldLine
-from coupling_design.driveline.initial_state import quasi_steady_state
-from coupling_design.driveline.lift_off import LiftOff
-from coupling_design.driveline.parameters import LossFactorDamping, TightFit
-from coupling_design.driveline.periodic_orbit import PeriodicOrbit
-from coupling_design.driveline.settled_state import period_of, settled_state
-from coupling_design.driveline.start import StartingStates
-from coupling_design.rollout.fastest import fastest_marcher
+from coupling_design.events.held_line import HeldLine
+from coupling_design.events.lift_off import LiftOff
+from coupling_design.events.periodic_orbit import PeriodicOrbit
+from coupling_design.events.settled_state import period_of, settled_state
+from coupling_design.events.start import StartingStates
+from coupling_design.line.even_start import quasi_steady_state
+from coupling_design.line.parameters import LossFactorDamping, TightFit
+from coupling_design.march.fastest import fastest_marcher
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import CASE_FILE, shipped_case
 

@@ -12,7 +12,7 @@ import math
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.driveline.parameters import FuelCutStart, QuasiSteadyStart
+from coupling_design.line.parameters import FuelCutStart, QuasiSteadyStart
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import (
     CASE_FILE,

@@ -31,8 +31,8 @@ from coupling_design.design.state import (
     gap_nearest_present,
     options_of,
 )
-from coupling_design.driveline.key_gap import SHARP, sharpness
-from coupling_design.driveline.parameters import KeyedConnection
+from coupling_design.line.contact import SHARP, sharpness
+from coupling_design.line.parameters import KeyedConnection
 
 TITLE = "Key gap"
 QUESTION = (

@@ -10,7 +10,7 @@ import pytest
 from coupling_design.design.results import DesignMap
 from coupling_design.design.signals import BearingHistory, RundownHistory
 from coupling_design.design.speed_map import evaluate_speed_map
-from coupling_design.driveline.history import History
+from coupling_design.signals.history import History
 
 SAMPLES = 20_000
 VOID = {"meta", "br", "link", "img", "hr", "input"}

@@ -1,1 +1,0 @@
-"""How does the shaft line move? Knows nothing of bearings or files."""

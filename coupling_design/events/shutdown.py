@@ -1,0 +1,89 @@
+"""A shutdown as equations: what acts while the line runs down, and where it starts.
+
+Its state is the driveline's; where the fuel is taken away over a time, that time is one
+more entry.
+
+Sources
+-------
+[1] Advances in Mechanical Engineering 2023, doi 10.1177/16878132231190062, eq. (1).
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from coupling_design.arithmetic import Scalar, maximum, stacked
+from coupling_design.events.settled_state import settled_state
+from coupling_design.line.even_start import (
+    all_resistances,
+    quasi_steady_state,
+)
+from coupling_design.line.motion import Motion, inertias, motion, state_names
+from coupling_design.line.parameters import (
+    Driveline,
+    FuelCutStart,
+    QuasiSteadyStart,
+    Shutdown,
+)
+
+_TIME = "time"
+
+
+def run_down_state_names(driveline: Driveline, shutdown: Shutdown) -> tuple[str, ...]:
+    """Return the names of the state's entries: the driveline's, then the time [s]."""
+    names = state_names(driveline)
+    return (*names, _TIME) if shutdown.fuel_cut_time else names
+
+
+def fuel_torque(driveline: Driveline, shutdown: Shutdown) -> Scalar:
+    """Return the mean torque of the fuel before t = 0 [N m]; 0 without fuel."""
+    if isinstance(shutdown.start, FuelCutStart):
+        return all_resistances(driveline, shutdown.initial_speed)
+    return 0.0
+
+
+def run_down_motion(driveline: Driveline, shutdown: Shutdown, state: Scalar) -> Motion:
+    """Return the motion at a state of the run-down; see `dynamics.motion`.
+
+    Its `state_rate` has the entries of `run_down_state_names`.
+    """
+    tau = shutdown.fuel_cut_time
+    if not tau:
+        return motion(driveline, state)
+    n = len(state_names(driveline))
+    time = state[n]
+    left = maximum(1 - time / tau, 0.0)
+    moved = motion(driveline, state[:n], left * fuel_torque(driveline, shutdown))
+    return _with_rate(moved, _joined(moved.state_rate, time * 0 + 1.0))
+
+
+def closed_start(driveline: Driveline, shutdown: Shutdown) -> Scalar:
+    """Return the state at t = 0 (n,), a CasADi expression, joints closed.
+
+    What a settled start is where the gap opens, `periodic_orbit` says.
+    """
+    speed, crank = shutdown.initial_speed, shutdown.crank_angle
+    fuel = fuel_torque(driveline, shutdown)
+    if isinstance(shutdown.start, QuasiSteadyStart):
+        turned = ca.DM(quasi_turn(driveline))
+        state = quasi_steady_state(driveline, speed) + turned * crank
+    else:
+        state = settled_state(driveline, speed, crank, fuel)
+    return ca.vertcat(state, 0.0) if shutdown.fuel_cut_time else state
+
+
+def quasi_turn(driveline: Driveline) -> list[float]:
+    """Return 1 for each angle of the driveline's state, 0 for each speed."""
+    n = len(inertias(driveline))
+    return [1.0] * n + [0.0] * n
+
+
+def _with_rate(moved: Motion, state_rate: Scalar) -> Motion:
+    return Motion(**{**vars(moved), "state_rate": state_rate})
+
+
+def _joined(rates: Scalar, last: Scalar) -> Scalar:
+    if isinstance(rates, np.ndarray):
+        return np.vstack([rates, last])
+    return stacked(*ca.vertsplit(rates), last)

@@ -1,1 +1,0 @@
-"""Marching a step over many steps; nothing here knows of drivelines."""
