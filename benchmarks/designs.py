@@ -17,11 +17,11 @@ from benchmarks.scale import Scale
 from benchmarks.subject import SEED, Subject
 from benchmarks.table import Row
 from coupling_design.arithmetic import FloatArray
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.flow import silent
-from coupling_design.design.problem import DesignProblem, DesignSpace, Objective
-from coupling_design.design.search import CLOSE, Workbench, search
+from coupling_design.search.program import DesignProblem, DesignSpace, Objective
+from coupling_design.search.workbench import CLOSE, Workbench, search
+from coupling_design.steps.flow import silent
+from coupling_design.steps.present import present_candidate
+from coupling_design.wear.evaluator import Evaluator
 
 _STARTS = (0.1, 0.3, 0.5, 0.7, 0.9)
 _SAME = 1e-3  # of the logarithm of damage, as for the flow's own starts

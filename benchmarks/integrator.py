@@ -26,7 +26,7 @@ from benchmarks.subject import Subject
 from benchmarks.table import Row, at_least, missing
 from benchmarks.task import Task
 from coupling_design.arithmetic import FloatArray
-from coupling_design.design.quantities import TOTALS
+from coupling_design.wear.quantities import TOTALS
 
 # LSODA first: a method that takes longer than the best is given up midway. Radau and
 # BDF are not among them: some 18 s a run-down.

@@ -13,13 +13,12 @@ import numpy as np
 from benchmarks.scale import CASE
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case import Case, ConnectionKind, load_case
-from coupling_design.design.candidate import Candidate, candidate_driveline
-from coupling_design.design.joint import joint_start, joint_step
 from coupling_design.line.parameters import (
     KeyedConnection,
     ProportionalDamping,
     QuasiSteadyStart,
 )
+from coupling_design.machine.candidate import Candidate, candidate_driveline
 from coupling_design.march.sensitivities import (
     join_sensitivities,
     with_sensitivities,
@@ -28,6 +27,7 @@ from coupling_design.parts.bearing.life import fatigue_load_limit, reliability_f
 from coupling_design.parts.bearing.loads import rotational_loads, static_loads
 from coupling_design.parts.bearing.lubrication import GREASE_CONTAMINATION
 from coupling_design.parts.bearing.parameters import Cleanliness
+from coupling_design.wear.step import joint_start, joint_step
 
 SEED = 281
 

@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from coupling_design.case.case import Case
-    from coupling_design.design.results import DesignOutcome
-    from coupling_design.design.search import Effort
     from coupling_design.explore.simulation import Simulation
+    from coupling_design.machine.machine import Case
+    from coupling_design.search.workbench import Effort
+    from coupling_design.steps.outcome import DesignOutcome
 
 
 def load(
@@ -72,15 +72,15 @@ def design(
     >>> outcome.chosen.coupling_type
     'disc pack'
     """
-    from coupling_design.design.flow import run_design, silent
+    from coupling_design.steps.flow import run_design, silent
 
     return run_design(case, progress or silent, effort)
 
 
 def save_chosen(outcome: DesignOutcome, file: Path) -> None:
     """Write the chosen design as a case of its own, which runs to the same numbers."""
-    from coupling_design.explore.chosen import chosen_case_text
-    from coupling_design.report.files import write_atomically
+    from coupling_design.report.files.chosen_case import chosen_case_text
+    from coupling_design.report.files.write import write_atomically
 
     write_atomically(file, chosen_case_text(outcome, file.parent))
 
@@ -151,8 +151,8 @@ def sweep(
     >>> bool((grid.damage.sel(gap=0) < grid.damage.sel(gap=0.2e-3)).all())
     True
     """
+    from coupling_design.case.edit.overrides import override
     from coupling_design.case.load import case_of, read_document
-    from coupling_design.case.overrides import override
     from coupling_design.explore.axes import parse_axes
     from coupling_design.explore.sweep import plan_sweep, run_sweep
 

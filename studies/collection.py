@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from studies import (
     contact,
     gap,

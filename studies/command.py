@@ -14,8 +14,8 @@ from rich.console import Console
 from rich.table import Table
 
 from coupling_design.case import load_case
-from coupling_design.case.case import Case
 from coupling_design.errors import CouplingDesignError
+from coupling_design.machine.machine import Case
 from studies.drawing import save
 
 DEFAULT_CASE = Path("cases/16v280.yaml")

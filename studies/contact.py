@@ -15,11 +15,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.case.case import Case
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.evaluation import Evaluator
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.damage import PAPER_UNIT
-from coupling_design.report.numbers import percent, significant
+from coupling_design.report.words.numbers import percent, significant
+from coupling_design.steps.present import present_candidate
+from coupling_design.wear.evaluator import Evaluator
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, GREY, ORANGE, canvas, limits
 from studies.forces import change

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.parts.bearing.damage import PAPER_UNIT
 from coupling_design.signals.detrending import collision_force
+from coupling_design.wear.evaluator import Evaluator
 from studies.machine import history_of
 
 

@@ -15,9 +15,9 @@ from matplotlib.figure import Figure
 from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
 from coupling_design.line.contact import SHARP
-from coupling_design.report.numbers import percent, significant
+from coupling_design.machine.machine import Case
+from coupling_design.report.words.numbers import percent, significant
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, GREEN, GREY, ORANGE, canvas
 from studies.forces import Forces, change, deviation_from_line, forces, reversals

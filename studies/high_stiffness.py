@@ -15,13 +15,13 @@ from matplotlib.figure import Figure
 from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
-from coupling_design.design.results import Performance
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.contact_stress import permissible_transmission_force
 from coupling_design.parts.bearing.damage import PAPER_UNIT
-from coupling_design.report.numbers import percent, significant
+from coupling_design.report.words.numbers import percent, significant
 from coupling_design.signals.history import History
 from coupling_design.signals.resonance import Swing, largest_swing
+from coupling_design.wear.performance import Performance
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, ORANGE, canvas, limits, trace
 from studies.forces import change

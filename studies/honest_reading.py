@@ -13,15 +13,15 @@ from collections.abc import Mapping, Sequence
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.case.case import Case
 from coupling_design.line.parameters import KeyedConnection
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.contact_stress import (
     minimum_load,
     permissible_transmission_force,
     strict_transmission_force,
 )
 from coupling_design.parts.bearing.damage import PAPER_UNIT, miner_damage
-from coupling_design.report.numbers import significant
+from coupling_design.report.words.numbers import significant
 from coupling_design.signals.history import History
 from studies.command import Study, leave, table
 from studies.judgement import Contrast

@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.variables import INITIAL_SPEED
+from coupling_design.machine.machine import Case
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.variables import INITIAL_SPEED
 from studies.machine import (
     high_stiffness,
     present,

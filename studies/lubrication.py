@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.contact_stress import minimum_load
 from coupling_design.parts.bearing.life import (
     basic_rating_life,
@@ -33,7 +33,7 @@ from coupling_design.parts.bearing.lubrication import (
     unclamped_viscosity_ratio,
     viscosity_ratio,
 )
-from coupling_design.report.numbers import significant
+from coupling_design.report.words.numbers import significant
 from coupling_design.signals.detrending import resonance_fluctuation
 from coupling_design.signals.history import History
 from studies.command import Study, leave, table

@@ -8,16 +8,16 @@ import math
 import numpy as np
 
 from coupling_design.case import ConnectionKind, Plan
-from coupling_design.case.case import Case
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.constraints import high_frequency_constraint
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.results import Performance
-from coupling_design.design.state import connection_option
 from coupling_design.events.recording import simulate
 from coupling_design.line.motion import reduced_inertia
+from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.machine import Case
 from coupling_design.signals.history import History
+from coupling_design.steps.limits import high_frequency_constraint
+from coupling_design.steps.present import present_candidate
+from coupling_design.steps.so_far import connection_option
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.performance import Performance
 
 # Stiffnesses, spaced by ratio, at which an elastic type is looked at.
 ELASTIC_POINTS = 41

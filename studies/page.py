@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from coupling_design.report.numbers import percent, significant
+from coupling_design.report.words.numbers import percent, significant
 from studies.collection import Illustration, Part
 from studies.judgement import Contrast
 from tests.verification.comparison import Comparison

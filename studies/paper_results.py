@@ -14,15 +14,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.case.case import Case
-from coupling_design.design.constraints import high_frequency_constraint
-from coupling_design.design.performance import Performance
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.contact_stress import (
     minimum_load,
     permissible_transmission_force,
 )
 from coupling_design.parts.bearing.damage import PAPER_UNIT
-from coupling_design.report.numbers import significant
+from coupling_design.report.words.numbers import significant
+from coupling_design.steps.limits import high_frequency_constraint
+from coupling_design.wear.performance import Performance
 from studies import gap, resonance, stiffness
 from studies.command import Study, leave, table
 from studies.contact import why_not_half

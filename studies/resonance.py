@@ -15,8 +15,8 @@ from matplotlib.figure import Figure
 from rich.table import Table
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
-from coupling_design.report.numbers import significant
+from coupling_design.machine.machine import Case
+from coupling_design.report.words.numbers import significant
 from coupling_design.signals.detrending import (
     SPEED_WINDOW,
     ResonanceFluctuation,

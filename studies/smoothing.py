@@ -9,10 +9,6 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.results import Performance
 from coupling_design.errors import CaseError
 from coupling_design.line.contact import (
     contact_deflection,
@@ -20,6 +16,10 @@ from coupling_design.line.contact import (
     half_gap_angle,
 )
 from coupling_design.line.parameters import KeyedConnection
+from coupling_design.machine.machine import Case
+from coupling_design.steps.present import present_candidate
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.performance import Performance
 from studies.drawing import BLUE, GREY, ORANGE, RED, canvas
 from studies.forces import change
 from studies.judgement import Contrast

@@ -11,23 +11,23 @@ from dataclasses import dataclass, replace
 
 from coupling_design.arithmetic import Scalar
 from coupling_design.case import load_case
-from coupling_design.case.case import Case
-from coupling_design.design.chance import Spread
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.performance import Performance
-from coupling_design.design.sensitivity import (
-    Sensitivity,
-    reduction_range,
-    sensitivity,
-)
 from coupling_design.line.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
     SettledStart,
     Start,
 )
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.damage import PAPER_UNIT
-from coupling_design.report.numbers import significant
+from coupling_design.report.words.numbers import significant
+from coupling_design.wear.chance import Spread
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.performance import Performance
+from coupling_design.wear.sensitivity import (
+    Sensitivity,
+    reduction_range,
+    sensitivity,
+)
 from studies.initial_speed import (
     INVENTED,
     SpeedReach,

@@ -14,8 +14,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.table import Table
 
-from coupling_design.case.case import Case
-from coupling_design.report.numbers import percent, significant
+from coupling_design.machine.machine import Case
+from coupling_design.report.words.numbers import percent, significant
 from studies.command import Study, leave, table
 from studies.drawing import BLUE, GREEN, GREY, ORANGE, canvas, limits
 from studies.forces import Forces, change, forces

@@ -11,8 +11,8 @@ from rich.console import Console
 
 import coupling_design
 from coupling_design.case import load_case
-from coupling_design.case.case import Case
 from coupling_design.errors import CouplingDesignError
+from coupling_design.machine.machine import Case
 from studies.collection import Part, collect
 from studies.command import parser
 from studies.page import agrees, write_page

@@ -36,7 +36,7 @@ def test_importing_it_is_light():
 
 
 def test_the_chosen_design_is_saved(tmp_path):
-    from coupling_design.design.search import Effort
+    from coupling_design.search.workbench import Effort
 
     said = []
     outcome = api.design(api.load(QUICK), said.append, Effort(3, 2, 2, 2, 1))

@@ -15,7 +15,9 @@ PACKAGE = "coupling_design"
 ROOT = Path(coupling_design.__file__).parent
 
 LEAVES = {"errors", "arithmetic"}
-PHYSICS = LEAVES | {"signals", "march", "line", "events", "parts", "speeds"}
+LINE = LEAVES | {"signals", "march", "line", "events", "parts"}
+MACHINE = LINE | {"machine", "speeds"}
+WEAR = MACHINE | {"lanes", "wear", "checks"}
 MAY_IMPORT = {
     "": set(),
     "errors": set(),
@@ -28,14 +30,19 @@ MAY_IMPORT = {
     "parts": LEAVES,
     "events": LEAVES | {"signals", "march", "line"},
     "speeds": LEAVES | {"line"},
-    "case": LEAVES | {"line", "parts", "engine"},
-    "design": PHYSICS | {"lanes", "case"},
-    "report": {"errors", "case", "design"},
-    "explore": PHYSICS | {"case", "design"},
-    "api": LEAVES | {"case", "design", "explore", "report"},
-    "commands": PHYSICS | {"case", "design", "explore", "report"},
+    "machine": LEAVES | {"line", "parts"},
+    "case": LEAVES | {"line", "parts", "engine", "machine"},
+    "wear": LINE | {"machine", "lanes"},
+    "checks": MACHINE | {"wear"},
+    "search": WEAR,
+    "steps": WEAR | {"search"},
+    "explore": WEAR | {"steps", "case"},
+    "report": WEAR | {"search", "steps", "case"},
+    "api": WEAR | {"search", "steps", "case", "explore", "report"},
+    "commands": WEAR | {"search", "steps", "case", "explore", "report"},
     "__main__": {"commands"},
 }
+KNOWS_CASE = {"coupling_design.report.files"}  # of the report's rooms
 ONLY_IN = {
     "rich": {"report", "commands"},
     "typer": {"commands"},
@@ -47,7 +54,7 @@ ONLY_IN = {
     "pydantic": {"case"},
     "pydantic_core": {"case"},
     "pint": {"case"},
-    "casadi": {"arithmetic", "case", "design"} | PHYSICS | {"lanes"},
+    "casadi": {"arithmetic", "case", "search", "steps"} | WEAR,
 }
 LINES_PER_MODULE = 250
 LINES_PER_FUNCTION = 40
@@ -187,6 +194,39 @@ def test_libraries_stay_where_they_belong():
     assert wrong_libraries(ROOT) == []
 
 
+def rooms(root):
+    """Return which folders each folder imports from; a module at the top is its own."""
+    names = packages(root)
+    found = {}
+    for name, targets in graph(root).items():
+        source = room(name, names)
+        found.setdefault(source, set()).update(
+            room(target, names) for target in filter(is_ours, targets)
+        )
+    return {source: targets - {source, PACKAGE} for source, targets in found.items()}
+
+
+def room(name, names):
+    """Return the folder of a module, or the module itself at the top."""
+    parent = name.rpartition(".")[0]
+    return name if name in names or parent == PACKAGE else parent
+
+
+def test_no_cycle_between_folders():
+    found = rooms(ROOT)
+    assert list(TopologicalSorter(found).static_order())
+
+
+def test_only_one_room_of_the_report_knows_case_files():
+    knowing = {
+        source
+        for source, targets in rooms(ROOT).items()
+        if source.startswith(f"{PACKAGE}.report")
+        if any(layer(target) == "case" for target in targets)
+    }
+    assert knowing == KNOWS_CASE
+
+
 def test_no_import_cycle():
     assert cycle(ROOT) == []
 
@@ -213,17 +253,17 @@ def plant(tmp_path):
         target.write_text(text, encoding="utf-8")
         return tmp_path
 
-    for path in ("", "line/", "parts/", "parts/bearing/", "design/", "report/"):
+    for path in ("", "line/", "parts/", "parts/bearing/", "steps/", "report/"):
         write(f"{path}__init__.py", "")
     write("errors.py", "")
     write("line/modes.py", "import casadi\nfrom ..errors import Error\n")
     write("parts/bearing/life.py", "from coupling_design import __version__, errors\n")
-    write("design/flow.py", "from coupling_design.line import modes\n")
+    write("steps/flow.py", "from coupling_design.line import modes\n")
     return write
 
 
 def test_a_sound_package_passes(plant):
-    root = plant("report/panels.py", "import rich\nfrom coupling_design import design")
+    root = plant("report/panels.py", "import rich\nfrom coupling_design import steps")
     checks = (wrong_arrows, wrong_libraries, unknown_parts, cycle, forbidden_statements)
     assert [check(root) for check in checks] == [[]] * len(checks)
 
@@ -231,12 +271,12 @@ def test_a_sound_package_passes(plant):
 @pytest.mark.parametrize(
     "statement",
     [
-        "import coupling_design.design.flow",
-        "from coupling_design.design import flow",
-        "from coupling_design.design.flow import STAGES",
-        "from ...design import flow",
-        "def late():\n    from coupling_design.design import flow",
-        "if TYPE_CHECKING:\n    from coupling_design.design import flow",
+        "import coupling_design.steps.flow",
+        "from coupling_design.steps import flow",
+        "from coupling_design.steps.flow import STAGES",
+        "from ...steps import flow",
+        "def late():\n    from coupling_design.steps import flow",
+        "if TYPE_CHECKING:\n    from coupling_design.steps import flow",
     ],
 )
 def test_a_wrong_arrow_is_found(plant, statement):
@@ -257,8 +297,8 @@ def test_strangers_stay_strangers(plant):
 @pytest.mark.parametrize(
     ("path", "library"),
     [
-        ("design/flow.py", "rich"),
-        ("design/flow.py", "pint"),
+        ("steps/flow.py", "rich"),
+        ("steps/flow.py", "pint"),
         ("line/modes.py", "yaml"),
         ("errors.py", "pydantic"),
         ("report/panels.py", "casadi"),

@@ -31,7 +31,7 @@ def flow(monkeypatch, tmp_path):
             return result
 
         module = SimpleNamespace(run_design=run_design)
-        monkeypatch.setitem(sys.modules, "coupling_design.design.flow", module)
+        monkeypatch.setitem(sys.modules, "coupling_design.steps.flow", module)
 
     return ends_with
 
@@ -45,16 +45,17 @@ def outcomes():
 @pytest.fixture
 def small_report(monkeypatch):
     monkeypatch.setattr(
-        "coupling_design.report.outcome.render_outcome", lambda _: "the report"
+        "coupling_design.report.console.report.render_outcome", lambda _: "the report"
     )
     monkeypatch.setattr(
-        "coupling_design.report.files.build_document", lambda _: {"chosen": 1}
+        "coupling_design.report.files.write.build_document", lambda _: {"chosen": 1}
     )
     monkeypatch.setattr(
-        "coupling_design.explore.chosen.chosen_case_text", lambda *_: "the case"
+        "coupling_design.report.files.chosen_case.chosen_case_text",
+        lambda *_: "the case",
     )
     monkeypatch.setattr(
-        "coupling_design.report.files.render_outcome", lambda _: "the report"
+        "coupling_design.report.files.write.render_outcome", lambda _: "the report"
     )
 
 

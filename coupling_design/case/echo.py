@@ -8,13 +8,13 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from coupling_design.case.case import SourcedValue
-from coupling_design.case.catalogue import load_catalogues
-from coupling_design.case.document import Document
+from coupling_design.case.build.catalogue import load_catalogues
+from coupling_design.case.build.provenance import list_provenance
 from coupling_design.case.load import validate
-from coupling_design.case.problem import Path, dotted
-from coupling_design.case.provenance import list_provenance
-from coupling_design.case.stated import Stated
+from coupling_design.case.text.document import Document
+from coupling_design.case.text.fault import Path, dotted
+from coupling_design.case.values.stated import Stated
+from coupling_design.machine.machine import SourcedValue
 
 
 @dataclass(frozen=True)

@@ -8,17 +8,21 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from coupling_design.case.build import build_case
-from coupling_design.case.case import Case
-from coupling_design.case.catalogue import NO_CATALOGUES, Catalogues, load_catalogues
-from coupling_design.case.document import Document, parse_text
-from coupling_design.case.overrides import override
-from coupling_design.case.provenance import list_provenance
-from coupling_design.case.reading import decode, read_bytes
-from coupling_design.case.relations import check_relations
-from coupling_design.case.schema import CaseSection
-from coupling_design.case.validation import check_form
+from coupling_design.case.build.catalogue import (
+    NO_CATALOGUES,
+    Catalogues,
+    load_catalogues,
+)
+from coupling_design.case.build.machine import build_case
+from coupling_design.case.build.provenance import list_provenance
+from coupling_design.case.edit.overrides import override
+from coupling_design.case.rules.machine import check_relations
+from coupling_design.case.schema.machine import CaseSection
+from coupling_design.case.schema.validation import check_form
+from coupling_design.case.text.document import Document, parse_text
+from coupling_design.case.text.file import decode, read_bytes
 from coupling_design.errors import CaseError
+from coupling_design.machine.machine import Case
 
 
 def load_case(path: str | os.PathLike[str], overrides: Sequence[str] = ()) -> Case:

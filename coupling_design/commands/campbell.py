@@ -20,12 +20,12 @@ def run(case: CaseFile, size: Size = None, overrides: Overrides = None) -> int:
     place: for the chosen one name the chosen.yaml that a design has written.
     """
     from coupling_design.case import load_case
-    from coupling_design.design.speed_map import evaluate_speed_map
-    from coupling_design.design.warnings import case_warnings
+    from coupling_design.checks.warnings import case_warnings
     from coupling_design.explore.points import find_point
-    from coupling_design.report.blocks import bullets
-    from coupling_design.report.campbell import render_speed_map
-    from coupling_design.report.console import make_report_console
+    from coupling_design.report.console.blocks import bullets
+    from coupling_design.report.console.console import make_report_console
+    from coupling_design.report.console.speeds import render_speed_map
+    from coupling_design.steps.speed_map import evaluate_speed_map
 
     loaded = load_case(case, overrides or ())
     other = find_point(loaded, size=size).candidate if size else None

@@ -14,8 +14,8 @@ from coupling_design.commands.options import CaseFile, Overrides
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from coupling_design.case.case import Case
     from coupling_design.case.echo import EchoedValue
+    from coupling_design.machine.machine import Case
 
 EXAMPLES = (
     "check cases/16v280.yaml",
@@ -41,10 +41,10 @@ def run(
     is listed at the end.
     """
     from coupling_design.case.echo import echo
+    from coupling_design.case.edit.overrides import override
     from coupling_design.case.load import case_of, read_document
-    from coupling_design.case.overrides import override
-    from coupling_design.design.stability import check_time_step
-    from coupling_design.report.console import make_report_console
+    from coupling_design.checks.time_step import check_time_step
+    from coupling_design.report.console.console import make_report_console
 
     document = override(read_document(case), overrides or ())
     loaded = case_of(document)
@@ -61,8 +61,8 @@ def _parts(
 ) -> Iterator[RenderableType]:
     from rich.text import Text
 
-    from coupling_design.design.warnings import case_warnings
-    from coupling_design.report.blocks import bullets, facts
+    from coupling_design.checks.warnings import case_warnings
+    from coupling_design.report.console.blocks import bullets, facts
 
     given = [value for value in values if not value.is_default]
     widths = [max(map(len, column)) for column in zip(*map(_cells, given), strict=True)]
@@ -146,7 +146,7 @@ def _default(value: EchoedValue) -> str:
 def _conclusion(
     case: Case, given: Sequence[EchoedValue], defaults: Sequence[EchoedValue]
 ) -> Iterator[tuple[str, str]]:
-    from coupling_design.design.stability import candidates, stable_step
+    from coupling_design.checks.time_step import candidates, stable_step
     from coupling_design.line.modes import natural_angular_frequency
 
     judged = sum(value.source in _JUDGED for value in given)

@@ -53,10 +53,10 @@ def run(
         differing_inputs,
         read_side,
     )
-    from coupling_design.report.blocks import bullets, facts
-    from coupling_design.report.chances import CHAOTIC
-    from coupling_design.report.console import make_report_console
-    from coupling_design.report.progress import show_progress
+    from coupling_design.report.console.blocks import bullets, facts
+    from coupling_design.report.console.console import make_report_console
+    from coupling_design.report.console.progress import show_progress
+    from coupling_design.report.words.chances import CHAOTIC
 
     with show_progress() as progress:
         progress(first)
@@ -79,7 +79,7 @@ def run(
 def _inputs(differences: Sequence[Difference] | None) -> RenderableType:
     from rich.text import Text
 
-    from coupling_design.report.blocks import table, titled
+    from coupling_design.report.console.blocks import table, titled
 
     if differences is None:
         return Text("Inputs: a result of an older version does not record them.")
@@ -94,9 +94,9 @@ def _inputs(differences: Sequence[Difference] | None) -> RenderableType:
 def _results(differences: Sequence[Difference]) -> RenderableType:
     from rich.text import Text
 
-    from coupling_design.report.blocks import table, titled
-    from coupling_design.report.numbers import percent
-    from coupling_design.report.units import display_unit
+    from coupling_design.report.console.blocks import table, titled
+    from coupling_design.report.words.numbers import percent
+    from coupling_design.report.words.units import display_unit
 
     rows = table(["result"], ["A", "B", "change\n%"], ["unit"])
     for each in differences:
@@ -116,9 +116,9 @@ def _word(value: Shown) -> str:
 
 
 def _number(value: Shown, unit: str) -> str:
-    from coupling_design.report.damages import damage
-    from coupling_design.report.units import quantity
-    from coupling_design.report.words import words
+    from coupling_design.report.words.damages import damage
+    from coupling_design.report.words.names import words
+    from coupling_design.report.words.units import quantity
 
     if not isinstance(value, float):
         return "" if value is None else words(value)

@@ -71,9 +71,9 @@ def read_side(file: str, *, design: bool, size: str | None = None) -> Side:
         return _of_document(file, _read_result(file))
     from coupling_design.case.echo import echo
     from coupling_design.case.load import case_of, read_document
-    from coupling_design.design.flow import run_design
-    from coupling_design.design.warnings import case_warnings
-    from coupling_design.report.document import build_document
+    from coupling_design.checks.warnings import case_warnings
+    from coupling_design.report.files.json import build_document
+    from coupling_design.steps.flow import run_design
 
     document = read_document(file)
     case = case_of(document)
@@ -124,10 +124,10 @@ def _text(side: tuple[Shown, str] | None) -> str | None:
 
 def _present(case: Any, size: str | None) -> tuple[dict[str, Any], tuple[str, ...]]:
     """Return what a case's coupling does, and what is to be said of it."""
-    from coupling_design.design.conditioning import chaotic
-    from coupling_design.design.evaluation import Evaluator
-    from coupling_design.design.warnings import run_down_warnings, stop_remark
+    from coupling_design.checks.warnings import run_down_warnings, stop_remark
     from coupling_design.explore.points import find_point
+    from coupling_design.wear.conditioning import chaotic
+    from coupling_design.wear.evaluator import Evaluator
 
     point = find_point(case, size=size)
     evaluator = Evaluator(case, point.candidate)

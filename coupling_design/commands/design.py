@@ -10,7 +10,7 @@ import typer
 from coupling_design.commands.options import CaseFile, Overrides
 
 if TYPE_CHECKING:
-    from coupling_design.design.results import DesignOutcome
+    from coupling_design.steps.outcome import DesignOutcome
 
 EXAMPLES = (
     "design cases/16v280.yaml",
@@ -34,13 +34,13 @@ def run(
 ) -> int:
     """Design the coupling of a machine: five steps, a report and its files."""
     from coupling_design.case import load_case
-    from coupling_design.design.flow import run_design
-    from coupling_design.design.speed_map import evaluate_speed_map
-    from coupling_design.report.console import make_report_console, print_report
-    from coupling_design.report.files import prepare_directory, write_files
-    from coupling_design.report.html.library import HOW_TO_GET, can_write_html
-    from coupling_design.report.outcome import render_outcome
-    from coupling_design.report.progress import show_progress
+    from coupling_design.report.console.console import make_report_console, print_report
+    from coupling_design.report.console.progress import show_progress
+    from coupling_design.report.console.report import render_outcome
+    from coupling_design.report.files.write import prepare_directory, write_files
+    from coupling_design.report.page.library import HOW_TO_GET, can_write_html
+    from coupling_design.steps.flow import run_design
+    from coupling_design.steps.speed_map import evaluate_speed_map
 
     directory = output or Path("reports", Path(case).stem)
     loaded = load_case(case, overrides or ())
@@ -65,9 +65,9 @@ def run(
 def _write_chosen(outcome: DesignOutcome, directory: Path) -> tuple[Path, ...]:
     """Write the chosen design as a case; take an old one away where there is none."""
     from coupling_design.errors import DesignError
-    from coupling_design.explore.chosen import chosen_case_text
-    from coupling_design.report.console import make_error_console
-    from coupling_design.report.files import write_atomically
+    from coupling_design.report.console.console import make_error_console
+    from coupling_design.report.files.chosen_case import chosen_case_text
+    from coupling_design.report.files.write import write_atomically
 
     file = directory / "chosen.yaml"
     if outcome.chosen is None:

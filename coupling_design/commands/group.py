@@ -54,7 +54,7 @@ class CommandGroup(TyperGroup):
 
 
 def _show(error: CouplingDesignError) -> None:
-    from coupling_design.report.console import make_error_console
-    from coupling_design.report.problems import render_error
+    from coupling_design.report.console.console import make_error_console
+    from coupling_design.report.console.errors import render_error
 
     make_error_console().print(render_error(error), crop=False)

@@ -31,7 +31,7 @@ def run(
     The case is complete: it passes check and can be designed as it is. Put your
     machine's values in place of its invented ones, then run check.
     """
-    from coupling_design.report.files import write_atomically
+    from coupling_design.report.files.write import write_atomically
 
     if file.exists() and not force:
         raise OutputError(

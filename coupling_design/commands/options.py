@@ -9,9 +9,9 @@ import typer
 
 def complete_place(ctx: typer.Context, incomplete: str) -> list[str]:
     """Return the places of the case named before that begin like a word."""
+    from coupling_design.case.edit.places import list_places
     from coupling_design.case.load import read_document
-    from coupling_design.case.places import list_places
-    from coupling_design.case.problem import dotted
+    from coupling_design.case.text.fault import dotted
     from coupling_design.errors import CaseError
 
     # After an option that still lacks its value, the case is among the rest.

@@ -21,7 +21,7 @@ def count_progress(what: str, total: int) -> Iterator[Callable[[int], None]]:
         TimeRemainingColumn,
     )
 
-    from coupling_design.report.console import make_error_console
+    from coupling_design.report.console.console import make_error_console
 
     columns = (
         TextColumn(what),

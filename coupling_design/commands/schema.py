@@ -28,8 +28,8 @@ def run(
     Editors that speak the YAML language server find it by a first line in the case
     file: # yaml-language-server: $schema=case.schema.json
     """
-    from coupling_design.case.json_schema import case_schema
-    from coupling_design.report.files import write_atomically
+    from coupling_design.case.schema.json_schema import case_schema
+    from coupling_design.report.files.write import write_atomically
 
     text = json.dumps(case_schema(), indent=2, ensure_ascii=False) + "\n"
     if out is None:

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from coupling_design.case.case import Case
-    from coupling_design.design.performance import Performance
     from coupling_design.explore.grid import Grid, Quantity
     from coupling_design.explore.simulation import Simulation
+    from coupling_design.machine.machine import Case
+    from coupling_design.wear.performance import Performance
 
 EXAMPLES = (
     "simulate cases/16v280.yaml",
@@ -72,10 +72,10 @@ def run(
     from coupling_design.explore.files import check_file, write_grid
     from coupling_design.explore.points import find_point
     from coupling_design.explore.simulation import simulate_point
-    from coupling_design.report.blocks import bullets
-    from coupling_design.report.console import make_report_console
-    from coupling_design.report.performances import render_design
-    from coupling_design.report.progress import show_progress
+    from coupling_design.report.console.blocks import bullets
+    from coupling_design.report.console.console import make_report_console
+    from coupling_design.report.console.performances import render_design
+    from coupling_design.report.console.progress import show_progress
 
     loaded = load_case(case, overrides or ())
     point = find_point(loaded, stiffness, gap, coupling_type, connection, size)
@@ -100,15 +100,15 @@ def run(
 
 
 def _warnings(case: Case, performance: Performance) -> tuple[str, ...]:
-    from coupling_design.design.warnings import case_warnings, run_down_warnings
+    from coupling_design.checks.warnings import case_warnings, run_down_warnings
 
     return (*case_warnings(case), *run_down_warnings(case, performance, "Run-down"))
 
 
 def _sentences(simulation: Simulation) -> Iterator[str]:
     """Yield over what the totals are judged, of which run-down the signals are."""
-    from coupling_design.design.warnings import stop_remark
-    from coupling_design.report.chances import CHAOTIC, describe_chances
+    from coupling_design.checks.warnings import stop_remark
+    from coupling_design.report.words.chances import CHAOTIC, describe_chances
 
     facts = simulation.signals.facts
     remark = stop_remark(simulation.case, simulation.performance)
@@ -127,8 +127,8 @@ def _render(signals: Grid) -> RenderableType:
     """Return a line per signal: at the start, at the end, its extremes and when."""
     from rich.text import Text
 
-    from coupling_design.report.blocks import table
-    from coupling_design.report.units import display_unit
+    from coupling_design.report.console.blocks import table
+    from coupling_design.report.words.units import display_unit
 
     rows = table(
         ["signal"],
@@ -142,8 +142,8 @@ def _render(signals: Grid) -> RenderableType:
 
 
 def _numbers(signal: Quantity, signals: Grid) -> tuple[str, ...]:
-    from coupling_design.report.numbers import significant
-    from coupling_design.report.units import quantity
+    from coupling_design.report.words.numbers import significant
+    from coupling_design.report.words.units import quantity
 
     values, time = signal.values, signals.values("time")
     least, largest = int(values.argmin()), int(values.argmax())

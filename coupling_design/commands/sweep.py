@@ -68,15 +68,15 @@ def run(
     Each point is judged over all crank angles. Interrupted with Ctrl-C, it leaves the
     points that are finished.
     """
+    from coupling_design.case.edit.overrides import override
     from coupling_design.case.load import case_of, read_document
-    from coupling_design.case.overrides import override
+    from coupling_design.checks.warnings import case_warnings
     from coupling_design.commands.progress import count_progress
-    from coupling_design.design.warnings import case_warnings
     from coupling_design.explore.axes import parse_axes
     from coupling_design.explore.files import check_file, write_grid
     from coupling_design.explore.sweep import COMPLETE, plan_sweep, run_sweep
-    from coupling_design.report.blocks import bullets
-    from coupling_design.report.console import make_report_console
+    from coupling_design.report.console.blocks import bullets
+    from coupling_design.report.console.console import make_report_console
 
     document = override(read_document(case), overrides or ())
     loaded = case_of(document)
@@ -103,7 +103,7 @@ def _parts(grid: Grid) -> Sequence[RenderableType]:
     from rich.text import Text
 
     from coupling_design.explore.sweep import COMPLETE
-    from coupling_design.report.chances import CHAOTIC
+    from coupling_design.report.words.chances import CHAOTIC
 
     columns = {column.name: column for column in grid.columns()}
     known = np.flatnonzero(np.isfinite(columns["damage"].values))
@@ -133,7 +133,7 @@ def _endings(ends: dict[str, Any], rest_speed: float) -> list[RenderableType]:
     """Return how many run-downs end too soon to show the passage, and any too soon."""
     from rich.text import Text
 
-    from coupling_design.report.units import quantity
+    from coupling_design.report.words.units import quantity
 
     told: list[RenderableType] = []
     above, points = int((ends["above_resonance"] > 0).sum()), len(ends["final_speed"])
@@ -161,7 +161,7 @@ def _points(
     columns: dict[str, Quantity], axes: Sequence[str], rows: Sequence[int]
 ) -> RenderableType:
     """Return a line per point."""
-    from coupling_design.report.blocks import table
+    from coupling_design.report.console.blocks import table
 
     shown = [columns[name] for name in (*axes, *_SHOWN)]
     lines = table([], [_heading(column) for column in shown], [])
@@ -176,7 +176,7 @@ def _extremes(
     """Return where each result is least and where it is largest."""
     from rich.text import Text
 
-    from coupling_design.report.blocks import table
+    from coupling_design.report.console.blocks import table
 
     at = [_heading(columns[name]) for name in axes]
     lines = table(["result", ""], ["value", *(f"at {each}" for each in at)], [])
@@ -193,7 +193,7 @@ def _extremes(
 
 
 def _heading(column: Quantity) -> str:
-    from coupling_design.report.units import display_unit
+    from coupling_design.report.words.units import display_unit
 
     name = _SHORT.get(column.name, column.name.rpartition(".")[2])
     unit = display_unit("" if column.unit == "1" else column.unit)
@@ -201,8 +201,8 @@ def _heading(column: Quantity) -> str:
 
 
 def _number(column: Quantity, row: int) -> str:
-    from coupling_design.report.damages import damage
-    from coupling_design.report.units import quantity
+    from coupling_design.report.words.damages import damage
+    from coupling_design.report.words.units import quantity
 
     value = column.values[row]
     if isinstance(value, str):

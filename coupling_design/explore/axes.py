@@ -8,17 +8,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coupling_design.case.case import Case, SourcedValue
-from coupling_design.case.document import Document
-from coupling_design.case.kinds import GAP, STIFFNESS
+from coupling_design.case.edit.overrides import override
+from coupling_design.case.edit.places import find_place
 from coupling_design.case.load import case_of
-from coupling_design.case.overrides import override
-from coupling_design.case.places import find_place
-from coupling_design.case.problem import dotted
-from coupling_design.case.quantity import Kind, QuantityError
+from coupling_design.case.text.document import Document
+from coupling_design.case.text.fault import dotted
+from coupling_design.case.values.kinds import GAP, STIFFNESS
+from coupling_design.case.values.quantity import Kind, QuantityError
 from coupling_design.errors import CaseError
 from coupling_design.explore.grid import Quantity, Values
 from coupling_design.explore.points import parse_relative, present_point
+from coupling_design.machine.machine import Case, SourcedValue
 
 STIFFNESS_PATH = "driveline.coupling.torsional_stiffness"
 GAP_PATH = "driveline.connection.gap"

@@ -6,14 +6,14 @@ import math
 import re
 from dataclasses import dataclass, replace
 
-from coupling_design.case.case import Case, ConnectionKind, CouplingType
-from coupling_design.case.kinds import GAP, STIFFNESS
-from coupling_design.case.problem import suggestion
-from coupling_design.case.quantity import Kind, QuantityError
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.state import connection_option
+from coupling_design.case.text.fault import suggestion
+from coupling_design.case.values.kinds import GAP, STIFFNESS
+from coupling_design.case.values.quantity import Kind, QuantityError
 from coupling_design.errors import CaseError
+from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.machine import Case, ConnectionKind, CouplingType
+from coupling_design.steps.present import present_candidate
+from coupling_design.steps.so_far import connection_option
 
 _TIMES_PRESENT = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*x\s*")
 

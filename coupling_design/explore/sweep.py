@@ -11,20 +11,20 @@ from typing import Any
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
-from coupling_design.case.document import Document
+from coupling_design.case.edit.overrides import override
 from coupling_design.case.load import case_of
-from coupling_design.case.overrides import override
-from coupling_design.design.conditioning import are_chaotic
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.performance import Performance
-from coupling_design.design.stability import check_time_step
-from coupling_design.design.warnings import ends_above_resonance
+from coupling_design.case.text.document import Document
+from coupling_design.checks.time_step import check_time_step
+from coupling_design.checks.warnings import ends_above_resonance
 from coupling_design.errors import SimulationError
 from coupling_design.explore.axes import GAP_PATH, STIFFNESS_PATH, Axis
 from coupling_design.explore.grid import Grid, Quantity
 from coupling_design.explore.points import Point, find_point
 from coupling_design.explore.simulation import facts_of
+from coupling_design.machine.machine import Case
+from coupling_design.wear.conditioning import are_chaotic
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.performance import Performance
 
 COMPLETE = "complete"
 # Points per batch: what takes well under a second on machine code, and without.

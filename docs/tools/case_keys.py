@@ -29,8 +29,8 @@ _PART = re.compile(r"(<!-- keys: (\w+) -->\n)(.*?)(<!-- end of keys -->)", re.DO
 
 def page() -> str:
     """Return the page with its tables as the schema has them now."""
-    from coupling_design.case.catalogue_schema import CatalogueSection
-    from coupling_design.case.schema import CaseSection
+    from coupling_design.case.schema.catalogue import CatalogueSection
+    from coupling_design.case.schema.machine import CaseSection
 
     notes = yaml.safe_load((TOOLS / "case_notes.yaml").read_text(encoding="utf-8"))
     models = {"case": CaseSection, "catalogue": CatalogueSection}
@@ -150,7 +150,7 @@ def _kind(kind: Any) -> tuple[str, str]:
 
 
 def _is_stated(model: type[BaseModel]) -> bool:
-    from coupling_design.case.stated import Stated
+    from coupling_design.case.values.stated import Stated
 
     return issubclass(model, Stated)
 

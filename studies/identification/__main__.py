@@ -8,8 +8,8 @@ import sys
 from rich.console import Console
 
 from coupling_design.case import load_case
-from coupling_design.case.case import Case
 from coupling_design.errors import CouplingDesignError
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.command import parser
 from studies.drawing import save

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.damage import PAPER_UNIT
 from studies.forces import change
 from studies.identification.explanation import sentences

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.life import LIFE_EXPONENT, ROLLER
 from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.identification.model import MORE_VARIANTS, run

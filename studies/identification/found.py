@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from rich.table import Table
 
-from coupling_design.case.case import Case
-from coupling_design.report.numbers import significant
+from coupling_design.machine.machine import Case
+from coupling_design.report.words.numbers import significant
 from studies.command import table
 from studies.identification.parameters import QUANTITIES, SMOOTH_CONTACT, Inputs
 from studies.identification.targets import (

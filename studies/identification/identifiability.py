@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from studies.identification.jacobian import differences
 from studies.identification.parameters import (
     NAMES,

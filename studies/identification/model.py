@@ -15,9 +15,6 @@ import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray, Scalar, where
-from coupling_design.case.case import Case
-from coupling_design.design.joint import joint_start, joint_step
-from coupling_design.design.quantities import TOTALS
 from coupling_design.line.damping import coupling_damping
 from coupling_design.line.motion import motion, reduced_inertia, state_names
 from coupling_design.line.parameters import (
@@ -29,9 +26,12 @@ from coupling_design.line.parameters import (
     Shutdown,
     TightFit,
 )
+from coupling_design.machine.machine import Case
 from coupling_design.march.fastest import fastest_marcher
 from coupling_design.march.marcher import Marcher
 from coupling_design.parts.bearing.parameters import Cleanliness
+from coupling_design.wear.quantities import TOTALS
+from coupling_design.wear.step import joint_start, joint_step
 from studies.identification.parameters import NAMES, Inputs
 from studies.machine import high_stiffness, required_stiffness
 

@@ -17,7 +17,7 @@ import numpy as np
 import yaml
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.units import from_si, to_si
+from coupling_design.case.values.units import from_si, to_si
 from coupling_design.parts.bearing.parameters import Cleanliness
 
 SETS_FILE = Path(__file__).with_name("sets.yaml")

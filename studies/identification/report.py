@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from rich.markup import escape
 from rich.table import Table
 
-from coupling_design.case.case import Case
-from coupling_design.report.numbers import significant
+from coupling_design.machine.machine import Case
+from coupling_design.report.words.numbers import significant
 from studies.command import Study
 from studies.identification.evidence import COMPROMISE, Evidence, examine, quick
 from studies.identification.parameters import (

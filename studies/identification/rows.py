@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.report.numbers import significant
+from coupling_design.report.words.numbers import significant
 from studies.identification.evidence import STEPS, Evidence, names_of_targets
 from studies.identification.identifiability import (
     Identifiability,

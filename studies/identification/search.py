@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.identification.jacobian import differences
 from studies.identification.parameters import (

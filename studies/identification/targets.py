@@ -14,9 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
-from coupling_design.design.chance import chances
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.damage import PAPER_UNIT
+from coupling_design.wear.chance import chances
 from studies.identification.model import VARIANTS, Rundowns, run
 from studies.identification.parameters import Inputs
 

@@ -16,7 +16,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case.case import Case
+from coupling_design.machine.machine import Case
 from coupling_design.parts.bearing.parameters import Cleanliness
 from studies.drawing import BLUE, GREY, ORANGE, RED, canvas
 from studies.identification.parameters import (

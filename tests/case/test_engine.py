@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from coupling_design.case import Source, load_case
-from coupling_design.case.document import parse_text
 from coupling_design.case.load import validate
+from coupling_design.case.text.document import parse_text
 from coupling_design.engine import Cycle
 from coupling_design.errors import CaseError
 

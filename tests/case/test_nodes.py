@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from coupling_design.case import nodes
+from coupling_design.case.text import nodes
 
 ROOT = Path(__file__).parents[2]
 FILES = sorted([*ROOT.glob("cases/*.yaml"), *ROOT.glob("catalogues/*.yaml")])

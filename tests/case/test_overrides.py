@@ -3,9 +3,9 @@ from pathlib import Path
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.case.document import parse_text
+from coupling_design.case.edit.overrides import override
 from coupling_design.case.load import read_document
-from coupling_design.case.overrides import override
+from coupling_design.case.text.document import parse_text
 from coupling_design.errors import CaseError
 
 

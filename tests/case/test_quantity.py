@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from coupling_design.case import kinds, units
-from coupling_design.case.quantity import QuantityError
+from coupling_design.case.schema.single_values import kinds, units
+from coupling_design.case.values.quantity import QuantityError
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,8 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from coupling_design.case.document import parse_text
 from coupling_design.case.load import validate
+from coupling_design.case.text.document import parse_text
 from coupling_design.errors import CaseError
 
 VALID = Path(__file__).with_name("valid.yaml").read_text(encoding="utf-8")

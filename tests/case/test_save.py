@@ -3,10 +3,10 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from coupling_design.case.kinds import GAP, STIFFNESS
+from coupling_design.case.edit.overrides import override
+from coupling_design.case.edit.text import changed_text, exact_text, moved, quoted
 from coupling_design.case.load import read_document
-from coupling_design.case.overrides import override
-from coupling_design.case.save import changed_text, exact_text, moved, quoted
+from coupling_design.case.values.kinds import GAP, STIFFNESS
 
 
 @pytest.fixture

@@ -7,11 +7,11 @@ import pytest
 
 from coupling_design.__main__ import main
 from coupling_design.case import load_case
-from coupling_design.design.baseline import evaluate_baseline
-from coupling_design.design.flow import silent
-from coupling_design.design.search import Workbench
 from coupling_design.errors import DesignError
-from coupling_design.explore.chosen import chosen_case_text
+from coupling_design.report.files.chosen_case import chosen_case_text
+from coupling_design.search.workbench import Workbench
+from coupling_design.steps.flow import silent
+from coupling_design.steps.present import evaluate_baseline
 
 QUICK = Path(__file__).parents[1] / "design" / "quick.yaml"
 CALM = ["excitation[0].amplitude=20 N*m", "excitation[1].amplitude=6.7 N*m"]
@@ -73,7 +73,7 @@ def test_a_file_changed_meanwhile_is_not_mixed_in(designed, outcome_of, tmp_path
 @pytest.fixture
 def outcome_of():
     from coupling_design import api
-    from coupling_design.design.search import Effort
+    from coupling_design.search.workbench import Effort
 
     def made(directory):
         file = directory / "case.yaml"

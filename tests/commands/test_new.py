@@ -24,9 +24,9 @@ def test_unless_asked_for(run):
 
 def test_every_key_of_the_form_is_shown(run):
     """The template has each section; only alternatives are left to its comments."""
+    from coupling_design.case.edit.places import list_places
     from coupling_design.case.load import read_document
-    from coupling_design.case.places import list_places
-    from coupling_design.case.schema import CaseSection
+    from coupling_design.case.schema.machine import CaseSection
 
     run("new", "mine.yaml")
     document = read_document("mine.yaml")

@@ -5,7 +5,7 @@ import jsonschema
 import pytest
 import yaml
 
-from coupling_design.case.json_schema import case_schema
+from coupling_design.case.schema.json_schema import case_schema
 
 ROOT = Path(__file__).parents[2]
 SHIPPED = sorted((ROOT / "cases").glob("*.yaml"))

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.explore.points import present_point
+from coupling_design.wear.evaluator import Evaluator
 
 SIGNALS = {
     "engine_speed": "rad/s",

@@ -4,8 +4,8 @@ from pathlib import Path
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.explore.points import present_point
+from coupling_design.wear.evaluator import Evaluator
 
 
 def rows_of(file):

@@ -7,15 +7,16 @@ import casadi as ca
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.case.case import ConnectionKind
-from coupling_design.design.baseline import evaluate_baseline
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.flow import run_design, silent
-from coupling_design.design.problem import Constraint, DesignProblem, DesignSpace
-from coupling_design.design.results import Performance, Sense
-from coupling_design.design.search import Effort, Workbench
-from coupling_design.design.state import FlowState, connection_option
+from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.machine import ConnectionKind
+from coupling_design.parts.criterion import Sense
+from coupling_design.search.program import Constraint, DesignProblem, DesignSpace
+from coupling_design.search.workbench import Effort, Workbench
+from coupling_design.steps.flow import run_design, silent
+from coupling_design.steps.present import evaluate_baseline
+from coupling_design.steps.so_far import FlowState, connection_option
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.performance import Performance
 
 HERE = Path(__file__).parent
 CASES = HERE.parents[1] / "cases"

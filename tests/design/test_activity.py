@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.activity import what_holds
-from coupling_design.design.problem import Constraint, Objective
-from coupling_design.design.results import Sense
+from coupling_design.parts.criterion import Sense
+from coupling_design.search.activity import what_holds
+from coupling_design.search.program import Constraint, Objective
 
 DAMAGE = Objective.DAMAGE
 

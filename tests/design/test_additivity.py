@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from coupling_design.design.quantities import QUANTITIES, TOTALS, Gathering
-from coupling_design.design.run_downs import joint_states
 from coupling_design.march.fastest import fastest_marcher
+from coupling_design.wear.quantities import QUANTITIES, TOTALS, Gathering
+from coupling_design.wear.run_downs import joint_states
 
 SUMS = np.array([each.gathering is Gathering.ADDS_UP for each in QUANTITIES])
 

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coupling_design.design import flow
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.flow import run_design
-from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.search import Effort, problem
-from coupling_design.design.survey import survey
 from coupling_design.errors import SimulationError
 from coupling_design.lanes.compiler import VARIABLE
+from coupling_design.search.plane import survey
+from coupling_design.search.program import DesignSpace, Objective
+from coupling_design.search.workbench import Effort, problem
+from coupling_design.steps import flow
+from coupling_design.steps.flow import run_design
+from coupling_design.wear.evaluator import Evaluator
 
 N, GAPS = 6, 5
 EFFORT = Effort(
@@ -41,7 +41,7 @@ def busy(monkeypatch):
             super().__init__(*arguments)
             self.submit(told.wait)
 
-    monkeypatch.setattr("coupling_design.design.background.ThreadPoolExecutor", Busy)
+    monkeypatch.setattr("coupling_design.search.background.ThreadPoolExecutor", Busy)
     yield told
     told.set()
 

@@ -2,13 +2,13 @@ import math
 
 import pytest
 
-from coupling_design.design.baseline import (
+from coupling_design.events.recording import simulate
+from coupling_design.line.modes import largest_stable_step
+from coupling_design.steps.present import (
     evaluate_baseline,
     present_candidate,
     rundown,
 )
-from coupling_design.events.recording import simulate
-from coupling_design.line.modes import largest_stable_step
 
 
 @pytest.fixture(scope="module")

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from coupling_design.design.constraints import (
+from coupling_design.search.program import DesignSpace, Objective
+from coupling_design.search.reach import reachable_stiffness
+from coupling_design.search.workbench import Workbench, problem, search
+from coupling_design.steps.flow import silent
+from coupling_design.steps.limits import (
     high_frequency_constraint,
     isolation_constraints,
     load_constraints,
 )
-from coupling_design.design.flow import silent
-from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.reach import reachable_stiffness
-from coupling_design.design.search import Workbench, problem, search
 
 WITHIN = 1.005
 

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.chain_check import too_few_inertias
+from coupling_design.checks.crank import too_few_inertias
 
 
 @pytest.fixture

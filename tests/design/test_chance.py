@@ -4,15 +4,15 @@ import math
 import numpy as np
 import pytest
 
-from coupling_design.design.chance import chances, describe_start
-from coupling_design.design.quantities import TOTALS
-from coupling_design.design.totals import over_chance, spread_of
 from coupling_design.line.parameters import (
     FuelCutStart,
     QuasiSteadyStart,
     SettledStart,
     Shutdown,
 )
+from coupling_design.wear.chance import chances, describe_start
+from coupling_design.wear.quantities import TOTALS
+from coupling_design.wear.totals import over_chance, spread_of
 
 TURN = 2 * math.pi
 PERIOD = math.pi  # of orders 2 and 4, those of the quick case

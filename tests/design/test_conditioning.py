@@ -1,6 +1,6 @@
 import pytest
 
-from coupling_design.design.conditioning import conditioning, standing_digits
+from coupling_design.wear.conditioning import conditioning, standing_digits
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,10 @@ import math
 
 import pytest
 
-from coupling_design.case.case import LoadLimitReading
-from coupling_design.design.constraints import (
+from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.parts.bearing.contact_stress import strict_transmission_force
+from coupling_design.parts.criterion import Sense
+from coupling_design.steps.limits import (
     ISOLATION_RATIO,
     excitation_frequencies,
     high_frequency_constraint,
@@ -12,8 +14,6 @@ from coupling_design.design.constraints import (
     load_constraints,
     survival_constraints,
 )
-from coupling_design.design.results import Sense
-from coupling_design.parts.bearing.contact_stress import strict_transmission_force
 
 TRANSMISSION_FORCE = LoadLimitReading.TRANSMISSION_FORCE
 COMBINED_LOAD = LoadLimitReading.COMBINED_LOAD

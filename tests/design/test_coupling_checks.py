@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.case.case import ConnectionKind, ShortCircuit
-from coupling_design.case.catalogue_sizes import CouplingKind
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.coupling_checks import size_criteria
-from coupling_design.design.performance import Verdict, none_fails
-from coupling_design.design.state import connection_option
+from coupling_design.checks.coupling import size_criteria
 from coupling_design.line.parameters import ExcitationOrder, Resistance
+from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.coupling_size import CouplingKind
+from coupling_design.machine.machine import ConnectionKind, ShortCircuit
+from coupling_design.parts.criterion import Verdict, none_fails
+from coupling_design.steps.so_far import connection_option
 
 MOTORED = "; motored orders, the fired are larger"
 FREE = Resistance(viscous=0.0, friction=0.0, transition_speed=1.0)

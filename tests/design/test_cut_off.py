@@ -4,14 +4,14 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.case.case import LoadLimitReading
-from coupling_design.design.flow import run_design
-from coupling_design.design.warnings import (
+from coupling_design.checks.warnings import (
     ends_above_resonance,
     run_down_warnings,
     stop_remark,
     weight_above_limit,
 )
+from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.steps.flow import run_design
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,6 @@ import re
 import numpy as np
 import pytest
 
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.errors import SimulationError
 from coupling_design.events.recording import simulate
 from coupling_design.line.modes import modes
@@ -13,6 +12,7 @@ from coupling_design.parts.bearing.loads import (
     rotational_loads,
     static_loads,
 )
+from coupling_design.wear.evaluator import Evaluator
 
 POINTS = {
     # Rattling amplifies the last digit.

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.fatigue_limits import fatigue_limits
+from coupling_design.checks.fatigue_limits import fatigue_limits
 from coupling_design.parts.bearing.parameters import BearingType, Contact
 
 

@@ -3,8 +3,9 @@ import math
 
 import pytest
 
-from coupling_design.design.flow import run_design
-from coupling_design.design.results import Decision, Performance
+from coupling_design.steps.flow import run_design
+from coupling_design.steps.step_result import Decision
+from coupling_design.wear.performance import Performance
 
 PASS, FAIL, SKIPPED = Decision.PASS, Decision.FAIL, Decision.SKIPPED
 WAYS = ["high_stiffness", "elastic", "none"]

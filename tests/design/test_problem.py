@@ -4,14 +4,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from coupling_design.design.problem import (
+from coupling_design.parts.criterion import Sense
+from coupling_design.search.program import (
     BACK_OFF,
     Constraint,
     DesignProblem,
     DesignSpace,
     Objective,
 )
-from coupling_design.design.results import Sense
 
 SPACE = DesignSpace((1e3, 2e4), (2e-5, 2e-4))
 FIXED_GAP = DesignSpace((1e3, 2e4), (1e-4, 1e-4))

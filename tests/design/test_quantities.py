@@ -2,7 +2,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from coupling_design.design.quantities import (
+from coupling_design.wear.quantities import (
     DAMAGES,
     PEAK_FORCE,
     PEAK_LOADS,

@@ -2,11 +2,11 @@ import math
 
 import pytest
 
-from coupling_design.design.constraints import (
+from coupling_design.search.reach import reachable_stiffness
+from coupling_design.steps.limits import (
     high_frequency_constraint,
     isolation_constraints,
 )
-from coupling_design.design.reach import reachable_stiffness
 
 
 def stiffness_at(frequency, driveline):

@@ -1,7 +1,7 @@
 import pytest
 
-from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.scan import best_first, grid, local_minima
+from coupling_design.search.program import DesignSpace, Objective
+from coupling_design.search.scan import best_first, grid, local_minima
 
 
 def test_the_grid_reaches_both_bounds():

@@ -2,12 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.constraints import (
-    high_frequency_constraint,
-    isolation_constraints,
-)
-from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.search import (
+from coupling_design.search.program import DesignSpace, Objective
+from coupling_design.search.workbench import (
     Workbench,
     count_valleys,
     look,
@@ -15,6 +11,10 @@ from coupling_design.design.search import (
     problem,
     search,
     verdict_remark,
+)
+from coupling_design.steps.limits import (
+    high_frequency_constraint,
+    isolation_constraints,
 )
 
 ELASTIC = DesignSpace((1e3, 2e4), (1e-4, 1e-4))

@@ -2,8 +2,8 @@ import dataclasses
 
 import pytest
 
-from coupling_design.design.conditioning import are_chaotic, chaotic
-from coupling_design.design.sensitivity import (
+from coupling_design.wear.conditioning import are_chaotic, chaotic
+from coupling_design.wear.sensitivity import (
     Move,
     Sensitivity,
     reduction_range,

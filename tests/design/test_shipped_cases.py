@@ -2,9 +2,9 @@
 
 import pytest
 
-from coupling_design.case.case import Plan
-from coupling_design.design.flow import run_design
-from coupling_design.design.results import Decision
+from coupling_design.machine.machine import Plan
+from coupling_design.steps.flow import run_design
+from coupling_design.steps.step_result import Decision
 
 pytestmark = pytest.mark.slow
 

@@ -4,12 +4,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from coupling_design.design import solve
-from coupling_design.design.problem import Objective
-from coupling_design.design.scan import best_first, grid
-from coupling_design.design.solve import optimise
-from coupling_design.design.valleys import smallest_load
 from coupling_design.errors import SimulationError
+from coupling_design.search import ipopt as solve
+from coupling_design.search.ipopt import optimise
+from coupling_design.search.program import Objective
+from coupling_design.search.scan import best_first, grid
+from coupling_design.search.valleys import smallest_load
 
 DAMAGE, PEAK, STIFFNESS = Objective.DAMAGE, Objective.PEAK, Objective.STIFFNESS
 TIE = 1e-5

@@ -6,20 +6,22 @@ import math
 import numpy as np
 import pytest
 
-from coupling_design.case.case import ConnectionKind, Plan
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.constraints import (
+from coupling_design.line.parameters import ExcitationOrder
+from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.machine import ConnectionKind, Plan
+from coupling_design.speeds.campbell import Position
+from coupling_design.steps.limits import (
     high_frequency_constraint,
     isolation_constraints,
 )
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.results import ChosenDesign, Conditioning, Rundown
-from coupling_design.design.sensitivity import Sensitivity
-from coupling_design.design.speed_map import evaluate_speed_map
-from coupling_design.design.state import connection_option
-from coupling_design.line.parameters import ExcitationOrder
-from coupling_design.speeds.campbell import Position
+from coupling_design.steps.outcome import ChosenDesign
+from coupling_design.steps.present import present_candidate
+from coupling_design.steps.so_far import connection_option
+from coupling_design.steps.speed_map import evaluate_speed_map
+from coupling_design.wear.conditioning import Conditioning
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.sensitivity import Sensitivity
+from coupling_design.wear.signals import Rundown
 
 RPM = math.pi / 30
 

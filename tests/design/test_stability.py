@@ -3,10 +3,10 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.flow import run_design
-from coupling_design.design.stability import candidates, check_time_step, stable_step
+from coupling_design.checks.time_step import candidates, check_time_step, stable_step
 from coupling_design.errors import CaseError
 from coupling_design.line.modes import largest_stable_step
+from coupling_design.steps.flow import run_design
 
 
 def refusal(case):

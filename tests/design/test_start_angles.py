@@ -4,15 +4,15 @@ import dataclasses
 
 import pytest
 
-from coupling_design.case.case import ConnectionKind
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.constraints import load_constraints, survival_constraints
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.flow import run_design
-from coupling_design.design.performance import performance_of
-from coupling_design.design.quantities import TOTALS
-from coupling_design.design.run_downs import joint_states
-from coupling_design.design.state import connection_option
+from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.machine import ConnectionKind
+from coupling_design.steps.flow import run_design
+from coupling_design.steps.limits import load_constraints, survival_constraints
+from coupling_design.steps.so_far import connection_option
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.performance import performance_of
+from coupling_design.wear.quantities import TOTALS
+from coupling_design.wear.run_downs import joint_states
 
 pytestmark = pytest.mark.slow
 

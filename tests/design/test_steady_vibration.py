@@ -5,12 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
-from coupling_design.design.steady_vibration import (
+from coupling_design.line.forced_response import power_loss, vibratory_torque
+from coupling_design.line.parameters import ExcitationOrder
+from coupling_design.speeds.vibration import (
     evaluate_vibration,
     operating_points,
 )
-from coupling_design.line.forced_response import power_loss, vibratory_torque
-from coupling_design.line.parameters import ExcitationOrder
 
 WORKING = (41.9, 104.7)
 

@@ -3,10 +3,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coupling_design.design.constraints import isolation_constraints
-from coupling_design.design.problem import DesignSpace, Objective
-from coupling_design.design.search import CLOSE, problem
-from coupling_design.design.survey import survey
+from coupling_design.search.plane import survey
+from coupling_design.search.program import DesignSpace, Objective
+from coupling_design.search.workbench import CLOSE, problem
+from coupling_design.steps.limits import isolation_constraints
 
 
 @pytest.fixture(scope="module")
@@ -95,7 +95,7 @@ def test_outer_rows_have_the_cases_own_step(quick, bench, candidate):
 def test_a_longer_step_that_is_too_far_off_is_not_taken(
     quick, bench, candidate, monkeypatch
 ):
-    monkeypatch.setattr("coupling_design.design.survey._GOOD_ENOUGH", 1e-15)
+    monkeypatch.setattr("coupling_design.search.plane._GOOD_ENOUGH", 1e-15)
     fine = quick.shutdown.time_step / 8
     _, program, plane = mapped(quick, bench, candidate, fine)
     assert plane.coarse is None
@@ -106,7 +106,7 @@ def test_a_longer_step_that_is_too_far_off_is_not_taken(
 
 
 def test_an_unstable_step_is_not_tried(quick, bench, candidate, monkeypatch):
-    monkeypatch.setattr("coupling_design.design.survey.stable_step", lambda *_: 0.0)
+    monkeypatch.setattr("coupling_design.search.plane.stable_step", lambda *_: 0.0)
     workbench, _, plane = mapped(quick, bench, candidate, quick.shutdown.time_step / 8)
     assert plane.coarse is None
     assert workbench.coarse_rollouts == 0

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.usual_ranges import USUAL_RANGES, outside_usual_ranges
+from coupling_design.checks.usual_ranges import USUAL_RANGES, outside_usual_ranges
 
 
 @pytest.fixture
@@ -29,7 +29,7 @@ def test_a_usual_set(base):
 def test_a_border_is_inside(row, border, factor, said, base, monkeypatch):
     value = factor * getattr(row, border)
     monkeypatch.setattr(
-        "coupling_design.design.usual_ranges.USUAL_RANGES",
+        "coupling_design.checks.usual_ranges.USUAL_RANGES",
         (replace(row, of=lambda case: value),),
     )
     told = list(outside_usual_ranges(base))

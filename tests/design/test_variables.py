@@ -4,7 +4,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from coupling_design.design.variables import (
+from coupling_design.wear.variables import (
     CRANK_ANGLE,
     FIRST_AMPLITUDE,
     GRAVITY_ANGLE,

@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from coupling_design.design.chance import Spread
-from coupling_design.design.performance import Performance
-from coupling_design.design.warnings import (
+from coupling_design.checks.warnings import (
     case_warnings,
     ends_above_resonance,
     run_down_warnings,
@@ -16,6 +14,8 @@ from coupling_design.design.warnings import (
     weight_above_limit,
 )
 from coupling_design.line.parameters import ExcitationOrder
+from coupling_design.wear.chance import Spread
+from coupling_design.wear.performance import Performance
 
 RPM = math.pi / 30
 SHIPPED = sorted((Path(__file__).parents[2] / "cases").glob("*.yaml"))

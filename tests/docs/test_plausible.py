@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from coupling_design.design.usual_ranges import USUAL_RANGES
+from coupling_design.checks.usual_ranges import USUAL_RANGES
 
 PAGE = Path(__file__).parents[2] / "docs" / "plausible.md"
 

@@ -6,33 +6,29 @@ from pathlib import Path
 import pytest
 
 from coupling_design.case import load_case
-from coupling_design.case.case import Plan
-from coupling_design.case.catalogue_sizes import (
+from coupling_design.line.parameters import LossFactorDamping
+from coupling_design.machine.coupling_size import (
     CatalogueFile,
     CouplingKind,
     CouplingSize,
 )
-from coupling_design.design.catalogue_choice import CatalogueChoice, SizeTrial
-from coupling_design.design.chance import Spread
-from coupling_design.design.results import (
-    Alternative,
+from coupling_design.machine.machine import Plan
+from coupling_design.parts.criterion import Criterion, Sense, Verdict
+from coupling_design.search.design_map import DesignMap
+from coupling_design.search.optimum import Optimum
+from coupling_design.steps.outcome import (
     Baseline,
     ChosenDesign,
-    Conditioning,
-    Criterion,
-    Decision,
-    DesignMap,
     DesignOutcome,
     LoadReading,
-    Optimum,
-    Performance,
-    Rundown,
-    Sense,
-    StepResult,
-    Verdict,
 )
-from coupling_design.design.sensitivity import Move, Sensitivity
-from coupling_design.line.parameters import LossFactorDamping
+from coupling_design.steps.size_choice import CatalogueChoice, SizeTrial
+from coupling_design.steps.step_result import Alternative, Decision, StepResult
+from coupling_design.wear.chance import Spread
+from coupling_design.wear.conditioning import Conditioning
+from coupling_design.wear.performance import Performance
+from coupling_design.wear.sensitivity import Move, Sensitivity
+from coupling_design.wear.signals import Rundown
 
 CASE = Path(__file__).parents[2] / "cases" / "16v280.yaml"
 PRESENT = Performance(

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.fatigue_limits import FatigueLimits
-from coupling_design.design.performance import not_checked
-from coupling_design.report.console import plain_text
-from coupling_design.report.outcome import render_outcome
+from coupling_design.checks.fatigue_limits import FatigueLimits
+from coupling_design.parts.criterion import not_checked
+from coupling_design.report.console.console import plain_text
+from coupling_design.report.console.report import render_outcome
 
 LINE = "square root, a line contact's law"
 ROLLER = FatigueLimits("Bearing 1", 48_838.56, 120_940.0, LINE, False)

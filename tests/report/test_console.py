@@ -5,14 +5,14 @@ import sys
 import pytest
 from rich.text import Text
 
-from coupling_design.report.console import (
+from coupling_design.report.console.console import (
     make_error_console,
     make_report_console,
     plain_text,
     print_report,
 )
-from coupling_design.report.outcome import render_outcome
-from coupling_design.report.progress import show_progress
+from coupling_design.report.console.progress import show_progress
+from coupling_design.report.console.report import render_outcome
 
 
 class Terminal(io.StringIO):

@@ -3,9 +3,9 @@ import re
 
 import pytest
 
-from coupling_design.report.console import plain_text
-from coupling_design.report.document import build_document, document_text
-from coupling_design.report.outcome import render_outcome
+from coupling_design.report.console.console import plain_text
+from coupling_design.report.console.report import render_outcome
+from coupling_design.report.files.json import build_document, document_text
 
 WAYS = ["with_catalogue", "real_size", "no_size"]
 

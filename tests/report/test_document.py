@@ -4,9 +4,9 @@ from dataclasses import replace
 import numpy
 import pytest
 
-from coupling_design.design.performance import not_checked
-from coupling_design.report.document import build_document, document_text
-from coupling_design.report.document_parts import criterion_part
+from coupling_design.parts.criterion import not_checked
+from coupling_design.report.files.json import build_document, document_text
+from coupling_design.report.files.json_parts import criterion_part
 
 PERFORMANCE = {
     "torsional_stiffness", "key_gap", "natural_frequency", "damage", "damage_e6",

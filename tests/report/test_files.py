@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from coupling_design.errors import CouplingDesignError
-from coupling_design.report.files import (
+from coupling_design.report.files.write import (
     OutputError,
     prepare_directory,
     write_atomically,

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-from coupling_design.design.results import CoarseStep
-from coupling_design.report.console import plain_text
-from coupling_design.report.maps import render_map, spread
+from coupling_design.report.console.console import plain_text
+from coupling_design.report.console.maps import render_map, spread
+from coupling_design.search.design_map import CoarseStep
 from tests.report.conftest import MAP
 
 

@@ -3,10 +3,10 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.results import Criterion, Sense, Verdict
-from coupling_design.report.damages import damage, damage_e6
-from coupling_design.report.numbers import change, percent, significant
-from coupling_design.report.units import (
+from coupling_design.parts.criterion import Criterion, Sense, Verdict
+from coupling_design.report.words.damages import damage, damage_e6
+from coupling_design.report.words.numbers import change, percent, significant
+from coupling_design.report.words.units import (
     as_given,
     display_unit,
     quantity,

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from coupling_design.case.case import LoadLimitReading
-from coupling_design.report.console import plain_text
-from coupling_design.report.outcome import render_outcome
+from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.report.console.console import plain_text
+from coupling_design.report.console.report import render_outcome
 
 WIDTHS = (80, 100, 120)
 

@@ -13,7 +13,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coupling_design.design.steady_vibration import evaluate_vibration
 from coupling_design.line.forced_response import forced_response
 from coupling_design.line.parameters import (
     Coupling,
@@ -30,6 +29,7 @@ from coupling_design.speeds.coupling_load import (
     resonance_passage,
     working_load,
 )
+from coupling_design.speeds.vibration import evaluate_vibration
 
 FREE = Resistance(viscous=0.0, friction=0.0, transition_speed=1.0)
 PSI = RelativeDamping(2 * math.pi / 5)

@@ -5,8 +5,6 @@ import functools
 from pathlib import Path
 
 from coupling_design.case import ConnectionKind, Plan, load_case
-from coupling_design.design.candidate import Candidate
-from coupling_design.design.evaluation import Evaluator
 from coupling_design.line.parameters import (
     Coupling,
     Driveline,
@@ -15,6 +13,8 @@ from coupling_design.line.parameters import (
     Resistance,
     TightFit,
 )
+from coupling_design.machine.candidate import Candidate
+from coupling_design.wear.evaluator import Evaluator
 
 CASE_FILE = Path(__file__).parents[2] / "cases" / "16v280.yaml"
 NONE = Resistance(viscous=0.0, friction=0.0, transition_speed=1.0)

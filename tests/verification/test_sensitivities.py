@@ -17,10 +17,10 @@ import functools
 import numpy as np
 import pytest
 
-from coupling_design.design.evaluation import Evaluator
-from coupling_design.design.quantities import TOTALS
 from coupling_design.line.contact import half_gap_angle
 from coupling_design.line.parameters import Shutdown
+from coupling_design.wear.evaluator import Evaluator
+from coupling_design.wear.quantities import TOTALS
 from tests.verification.comparison import Comparison, collect, disagreements
 from tests.verification.drivelines import (
     evaluator,

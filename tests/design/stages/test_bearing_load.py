@@ -2,10 +2,10 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.case.case import ConnectionKind, LoadLimitReading, Plan
-from coupling_design.design.results import Decision
-from coupling_design.design.stages.bearing_load import limit_bearing_load
-from coupling_design.design.state import AllowedType
+from coupling_design.machine.machine import ConnectionKind, LoadLimitReading, Plan
+from coupling_design.steps.so_far import AllowedType
+from coupling_design.steps.stages.bearing_load import limit_bearing_load
+from coupling_design.steps.step_result import Decision
 
 
 @pytest.fixture(scope="module")

@@ -2,9 +2,10 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.coupling_checks import torque_criteria
-from coupling_design.design.results import Decision, Verdict
-from coupling_design.design.stages.coupling_types import determine_coupling_types
+from coupling_design.checks.coupling import torque_criteria
+from coupling_design.parts.criterion import Verdict
+from coupling_design.steps.stages.coupling_types import determine_coupling_types
+from coupling_design.steps.step_result import Decision
 
 
 @pytest.fixture

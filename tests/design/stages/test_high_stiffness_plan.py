@@ -3,11 +3,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from coupling_design.case.case import Plan
-from coupling_design.design.baseline import present_candidate
-from coupling_design.design.results import Decision
-from coupling_design.design.stages.high_stiffness_plan import plan_high_stiffness
-from coupling_design.design.state import AllowedType
+from coupling_design.machine.machine import Plan
+from coupling_design.steps.present import present_candidate
+from coupling_design.steps.so_far import AllowedType
+from coupling_design.steps.stages.high_stiffness_plan import plan_high_stiffness
+from coupling_design.steps.step_result import Decision
 
 
 @pytest.fixture(scope="module")

@@ -1,9 +1,9 @@
 import pytest
 
-from coupling_design.design.flow import STAGES
-from coupling_design.design.results import Decision
-from coupling_design.design.stages.key_gap import minimise_key_gap
-from coupling_design.design.state import gap_nearest_present, options_of
+from coupling_design.steps.flow import STAGES
+from coupling_design.steps.so_far import gap_nearest_present, options_of
+from coupling_design.steps.stages.key_gap import minimise_key_gap
+from coupling_design.steps.step_result import Decision
 
 
 @pytest.fixture(scope="module")

@@ -2,9 +2,9 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.design.results import Decision
-from coupling_design.design.stages.vibration_isolation import check_vibration_isolation
-from coupling_design.design.state import AllowedType
+from coupling_design.steps.so_far import AllowedType
+from coupling_design.steps.stages.vibration_isolation import check_vibration_isolation
+from coupling_design.steps.step_result import Decision
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from coupling_design.design.results import DesignMap
-from coupling_design.design.signals import BearingHistory, RundownHistory
-from coupling_design.design.speed_map import evaluate_speed_map
+from coupling_design.search.design_map import DesignMap
 from coupling_design.signals.history import History
+from coupling_design.steps.speed_map import evaluate_speed_map
+from coupling_design.wear.signals import BearingHistory, RundownHistory
 
 SAMPLES = 20_000
 VOID = {"meta", "br", "link", "img", "hr", "input"}

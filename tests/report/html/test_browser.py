@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-from coupling_design.report.html.page import html_report
+from coupling_design.report.page.page import html_report
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 BROWSER = next(filter(None, map(shutil.which, NAMES)), None)

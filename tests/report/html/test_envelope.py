@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from coupling_design.report.html.envelope import COARSE_BINS, bins_around, extremes
+from coupling_design.report.page.envelope import COARSE_BINS, bins_around, extremes
 
 SIGNALS = arrays(
     np.float64,

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coupling_design.report.html.comparison_figure import comparison_figure
-from coupling_design.report.html.figure import logarithmic, packed
-from coupling_design.report.html.plane_figures import plane_figure
-from coupling_design.report.html.run_down_figures import run_down_figures
-from coupling_design.report.html.speed_figures import speed_figures
+from coupling_design.report.page.comparison_figure import comparison_figure
+from coupling_design.report.page.figure import logarithmic, packed
+from coupling_design.report.page.plane_figures import plane_figure
+from coupling_design.report.page.run_down_figures import run_down_figures
+from coupling_design.report.page.speed_figures import speed_figures
 
 
 def unpacked(values):

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.report.files import write_files
-from coupling_design.report.html import library, page
-from coupling_design.report.html.page import html_report
+from coupling_design.report.files.write import write_files
+from coupling_design.report.page import library, page
+from coupling_design.report.page.page import html_report
 
 LIBRARY = "/* the library */"
 EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(1)>"

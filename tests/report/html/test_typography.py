@@ -1,6 +1,6 @@
 import pytest
 
-from coupling_design.report.html.typography import typeset
+from coupling_design.report.page.typography import typeset
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,1 @@
+"""A case file with other values in it."""

@@ -1,0 +1,1 @@
+"""What may stand in a file, and what is said of what may not."""

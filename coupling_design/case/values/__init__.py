@@ -1,0 +1,1 @@
+"""One value of a case file: a number with its unit, its kind, its source."""

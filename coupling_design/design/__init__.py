@@ -1,1 +1,0 @@
-"""What should the coupling be?"""

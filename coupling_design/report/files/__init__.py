@@ -1,0 +1,1 @@
+"""What a run leaves on disk: the only room of the report that knows case files."""

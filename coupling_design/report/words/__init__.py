@@ -1,0 +1,1 @@
+"""Numbers, units and verdicts in words."""
