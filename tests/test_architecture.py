@@ -283,7 +283,7 @@ def test_a_wrong_arrow_is_found(plant, statement):
     root = plant("parts/bearing/damage.py", statement)
     [found] = wrong_arrows(root)
     assert found.startswith(
-        "coupling_design.parts.bearing.damage imports coupling_design.de"
+        "coupling_design.parts.bearing.damage imports coupling_design.steps"
     )
 
 

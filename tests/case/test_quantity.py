@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from coupling_design.case.schema.single_values import kinds, units
+from coupling_design.case.values import kinds, units
 from coupling_design.case.values.quantity import QuantityError
 
 
