@@ -12,7 +12,7 @@ PY := .venv/bin/python
 # writing what it compiles: each design would compile it anew, which takes a second.
 INSTALL := $(PY) -m pip install --quiet --disable-pip-version-check --no-compile --editable
 COMPILE := PYTHONDONTWRITEBYTECODE= $(PY) -c "import coupling_design.commands.app, \
-	coupling_design.steps.flow, coupling_design.report.files.chosen_case, \
+	coupling_design.flow.design, coupling_design.report.files.chosen_case, \
 	coupling_design.report.files.write, jinja2"
 
 .PHONY: help design test test-slow lint format validation benchmark docs

@@ -17,9 +17,9 @@ from benchmarks.scale import Scale
 from benchmarks.subject import SEED, Subject
 from benchmarks.table import Row
 from coupling_design.arithmetic import FloatArray
+from coupling_design.flow.design import silent
 from coupling_design.search.program import DesignProblem, DesignSpace, Objective
 from coupling_design.search.workbench import CLOSE, Workbench, search
-from coupling_design.steps.flow import silent
 from coupling_design.steps.present import present_candidate
 from coupling_design.wear.evaluator import Evaluator
 

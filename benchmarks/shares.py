@@ -53,11 +53,11 @@ def main() -> None:
     clock = Clock()
     clock.start("importing")
     from coupling_design.case import load_case
+    from coupling_design.flow.design import run_design
     from coupling_design.lanes.compiler import Compiler
     from coupling_design.report.console.console import make_report_console
     from coupling_design.report.console.report import render_outcome
     from coupling_design.report.files.write import prepare_directory, write_files
-    from coupling_design.steps.flow import run_design
 
     build, compiling = Compiler.build, [0.0]
 

@@ -17,7 +17,7 @@ from benchmarks.shares import COMPILING, MAP, REST
 from benchmarks.table import Row, at_most, markdown
 
 COLD, WARM, MEMORY = 8.0, 4.0, 300.0  # s, s, MB
-_IMPORTS = "import coupling_design.steps.flow, coupling_design.report.console.report"
+_IMPORTS = "import coupling_design.flow.design, coupling_design.report.console.report"
 _BAD_INPUT = 2  # an exit code; 1 says that no design meets the limits
 
 

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from coupling_design.explore.simulation import Simulation
+    from coupling_design.flow.outcome import DesignOutcome
     from coupling_design.machine.machine import Case
     from coupling_design.search.workbench import Effort
-    from coupling_design.steps.outcome import DesignOutcome
 
 
 def load(
@@ -72,7 +72,7 @@ def design(
     >>> outcome.chosen.coupling_type
     'disc pack'
     """
-    from coupling_design.steps.flow import run_design, silent
+    from coupling_design.flow.design import run_design, silent
 
     return run_design(case, progress or silent, effort)
 

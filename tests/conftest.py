@@ -9,6 +9,7 @@ settings.load_profile("repeatable")
 
 pytest_plugins = (
     "tests.fixtures.bearings",
+    "tests.fixtures.designs",
     "tests.fixtures.drivelines",
     "tests.fixtures.steps",
 )

@@ -10,7 +10,7 @@ from coupling_design import api
 from coupling_design.case import load_case
 
 ROOT = Path(__file__).parents[1]
-QUICK = ROOT / "tests" / "design" / "quick.yaml"
+QUICK = ROOT / "tests" / "fixtures" / "quick.yaml"
 
 
 def test_the_examples_of_the_docstrings(monkeypatch):

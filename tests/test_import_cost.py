@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-QUICK = Path(__file__).parent / "design" / "quick.yaml"
+QUICK = Path(__file__).parent / "fixtures" / "quick.yaml"
 HEAVY = ("casadi", "numpy", "pint", "pydantic", "rich", "scipy", "yaml")
 
 

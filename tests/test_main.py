@@ -31,7 +31,7 @@ def flow(monkeypatch, tmp_path):
             return result
 
         module = SimpleNamespace(run_design=run_design)
-        monkeypatch.setitem(sys.modules, "coupling_design.steps.flow", module)
+        monkeypatch.setitem(sys.modules, "coupling_design.flow.design", module)
 
     return ends_with
 

@@ -22,10 +22,10 @@ def run(case: CaseFile, size: Size = None, overrides: Overrides = None) -> int:
     from coupling_design.case import load_case
     from coupling_design.checks.warnings import case_warnings
     from coupling_design.explore.points import find_point
+    from coupling_design.flow.speed_map import evaluate_speed_map
     from coupling_design.report.console.blocks import bullets
     from coupling_design.report.console.console import make_report_console
     from coupling_design.report.console.speeds import render_speed_map
-    from coupling_design.steps.speed_map import evaluate_speed_map
 
     loaded = load_case(case, overrides or ())
     other = find_point(loaded, size=size).candidate if size else None

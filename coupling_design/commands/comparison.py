@@ -72,8 +72,8 @@ def read_side(file: str, *, design: bool, size: str | None = None) -> Side:
     from coupling_design.case.echo import echo
     from coupling_design.case.load import case_of, read_document
     from coupling_design.checks.warnings import case_warnings
+    from coupling_design.flow.design import run_design
     from coupling_design.report.files.json import build_document
-    from coupling_design.steps.flow import run_design
 
     document = read_document(file)
     case = case_of(document)

@@ -10,7 +10,7 @@ import typer
 from coupling_design.commands.options import CaseFile, Overrides
 
 if TYPE_CHECKING:
-    from coupling_design.steps.outcome import DesignOutcome
+    from coupling_design.flow.outcome import DesignOutcome
 
 EXAMPLES = (
     "design cases/16v280.yaml",
@@ -34,13 +34,13 @@ def run(
 ) -> int:
     """Design the coupling of a machine: five steps, a report and its files."""
     from coupling_design.case import load_case
+    from coupling_design.flow.design import run_design
+    from coupling_design.flow.speed_map import evaluate_speed_map
     from coupling_design.report.console.console import make_report_console, print_report
     from coupling_design.report.console.progress import show_progress
     from coupling_design.report.console.report import render_outcome
     from coupling_design.report.files.write import prepare_directory, write_files
     from coupling_design.report.page.library import HOW_TO_GET, can_write_html
-    from coupling_design.steps.flow import run_design
-    from coupling_design.steps.speed_map import evaluate_speed_map
 
     directory = output or Path("reports", Path(case).stem)
     loaded = load_case(case, overrides or ())

@@ -1,7 +1,7 @@
 """Small inputs with one thing wrong each: what is said of it, where, and the exit code.
 
 Made from tests/inputs/base.yaml; the first line of each says what was changed. What a
-run-down must show first is in tests/design/test_inputs.py.
+run-down must show first is in tests/fixtures/test_inputs.py.
 """
 
 import re

@@ -6,7 +6,7 @@ import pytest
 
 from coupling_design.__main__ import main
 
-QUICK = Path(__file__).parents[1] / "design" / "quick.yaml"
+QUICK = Path(__file__).parents[1] / "fixtures" / "quick.yaml"
 
 
 @pytest.fixture

@@ -8,12 +8,12 @@ import pytest
 from coupling_design.__main__ import main
 from coupling_design.case import load_case
 from coupling_design.errors import DesignError
+from coupling_design.flow.design import silent
 from coupling_design.report.files.chosen_case import chosen_case_text
 from coupling_design.search.workbench import Workbench
-from coupling_design.steps.flow import silent
 from coupling_design.steps.present import evaluate_baseline
 
-QUICK = Path(__file__).parents[1] / "design" / "quick.yaml"
+QUICK = Path(__file__).parents[1] / "fixtures" / "quick.yaml"
 CALM = ["excitation[0].amplitude=20 N*m", "excitation[1].amplitude=6.7 N*m"]
 
 

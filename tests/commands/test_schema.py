@@ -10,7 +10,7 @@ from coupling_design.case.schema.json_schema import case_schema
 ROOT = Path(__file__).parents[2]
 SHIPPED = sorted((ROOT / "cases").glob("*.yaml"))
 OTHERS = [
-    ROOT / "tests" / "design" / "quick.yaml",
+    ROOT / "tests" / "fixtures" / "quick.yaml",
     ROOT / "coupling_design" / "case" / "template.yaml",
 ]
 

@@ -24,7 +24,7 @@ SIGNALS = {
 @pytest.fixture(scope="module")
 def present():
     """What the evaluator says of the present coupling."""
-    case = load_case(Path(__file__).parents[1] / "design" / "quick.yaml")
+    case = load_case(Path(__file__).parents[1] / "fixtures" / "quick.yaml")
     point = present_point(case)
     evaluator = Evaluator(case, point.candidate)
     return evaluator.performance(point.torsional_stiffness, point.key_gap)

@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 
 from coupling_design.case import load_case
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome, LoadReading
+from coupling_design.flow.size_choice import CatalogueChoice, SizeTrial
 from coupling_design.line.parameters import LossFactorDamping
 from coupling_design.machine.coupling_size import (
     CatalogueFile,
@@ -16,13 +18,7 @@ from coupling_design.machine.machine import Plan
 from coupling_design.parts.criterion import Criterion, Sense, Verdict
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.outcome import (
-    Baseline,
-    ChosenDesign,
-    DesignOutcome,
-    LoadReading,
-)
-from coupling_design.steps.size_choice import CatalogueChoice, SizeTrial
+from coupling_design.steps.present import Baseline
 from coupling_design.steps.step_result import Alternative, Decision, StepResult
 from coupling_design.wear.chance import Spread
 from coupling_design.wear.conditioning import Conditioning

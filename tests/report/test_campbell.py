@@ -7,17 +7,17 @@ import re
 import numpy as np
 import pytest
 
-from coupling_design.machine.machine import Plan
-from coupling_design.report.console.console import plain_text
-from coupling_design.report.console.speeds import render_speed_map
-from coupling_design.speeds.campbell import CriticalSpeed, Position
-from coupling_design.speeds.vibration import OperatingPoint, SteadyVibration
-from coupling_design.steps.speed_map import (
+from coupling_design.flow.speed_map import (
     CouplingSpeeds,
     ForbiddenBand,
     SpeedMap,
     evaluate_speed_map,
 )
+from coupling_design.machine.machine import Plan
+from coupling_design.report.console.console import plain_text
+from coupling_design.report.console.speeds import render_speed_map
+from coupling_design.speeds.campbell import CriticalSpeed, Position
+from coupling_design.speeds.vibration import OperatingPoint, SteadyVibration
 
 WIDTHS = (80, 120)
 RPM = math.pi / 30

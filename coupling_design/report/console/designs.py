@@ -8,6 +8,7 @@ from rich.console import RenderableType
 from rich.panel import Panel
 from rich.text import Text
 
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome
 from coupling_design.machine.machine import Case, CouplingType
 from coupling_design.report.console.blocks import facts, panel
 from coupling_design.report.console.limits import render_criteria
@@ -26,7 +27,7 @@ from coupling_design.report.words.names import words
 from coupling_design.report.words.units import as_given
 from coupling_design.report.words.verdicts import describe_reduction
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.outcome import Baseline, ChosenDesign, DesignOutcome
+from coupling_design.steps.present import Baseline
 
 
 def render_baseline(outcome: DesignOutcome) -> Panel:

@@ -8,11 +8,11 @@ from rich.panel import Panel
 from rich.text import Text
 
 from coupling_design import __version__
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.machine.machine import Case, LoadLimitReading
 from coupling_design.report.console.blocks import bullets, facts, panel, titled
 from coupling_design.report.words.units import as_given
 from coupling_design.report.words.verdicts import render_verdict
-from coupling_design.steps.outcome import DesignOutcome
 from coupling_design.wear.chance import describe_start
 
 READINGS = {

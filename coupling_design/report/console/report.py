@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.report.console.assumptions import render_assumptions
 from coupling_design.report.console.blocks import titled
 from coupling_design.report.console.designs import (
@@ -21,7 +22,6 @@ from coupling_design.report.console.summary import render_strict_reading, render
 from coupling_design.report.console.validity import render_validity
 from coupling_design.report.words.effort import effort_sentence
 from coupling_design.report.words.verdicts import render_verdict
-from coupling_design.steps.outcome import DesignOutcome
 
 
 def render_outcome(outcome: DesignOutcome) -> Group:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from rich.panel import Panel
 from rich.text import Text
 
+from coupling_design.flow.size_choice import CatalogueChoice
 from coupling_design.machine.coupling_size import CouplingSize
 from coupling_design.report.console.blocks import bullets, facts, panel
 from coupling_design.report.console.limits import render_criteria
@@ -14,7 +15,6 @@ from coupling_design.report.console.performances import render_alternatives
 from coupling_design.report.words.names import VERDICT_STYLES, words
 from coupling_design.report.words.prices import describe_price
 from coupling_design.report.words.units import as_given
-from coupling_design.steps.size_choice import CatalogueChoice
 from coupling_design.steps.step_result import Alternative
 
 

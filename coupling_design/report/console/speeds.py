@@ -9,13 +9,13 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
+from coupling_design.flow.speed_map import CouplingSpeeds, ForbiddenBand, SpeedMap
 from coupling_design.machine.machine import Case, Plan
 from coupling_design.report.console.blocks import bullets, facts, panel, table, titled
 from coupling_design.report.words.names import verdict, words
 from coupling_design.report.words.numbers import percent, significant
 from coupling_design.report.words.units import as_given, quantity
 from coupling_design.speeds.vibration import OperatingPoint
-from coupling_design.steps.speed_map import CouplingSpeeds, ForbiddenBand, SpeedMap
 
 _NOTES = (
     "Natural frequencies are undamped, with the gap closed. Swings about zero torque "

@@ -5,14 +5,14 @@ from __future__ import annotations
 from rich.panel import Panel
 from rich.text import Text
 
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome
+from coupling_design.flow.outcome import LoadReading as StrictReading
 from coupling_design.report.console.blocks import panel
 from coupling_design.report.console.limits import render_criteria
 from coupling_design.report.words.chances import describe_at_once
 from coupling_design.report.words.names import VERDICT_STYLES, words
 from coupling_design.report.words.units import quantity
 from coupling_design.report.words.verdicts import describe_strict
-from coupling_design.steps.outcome import ChosenDesign, DesignOutcome
-from coupling_design.steps.outcome import LoadReading as StrictReading
 
 
 def render_summary(outcome: DesignOutcome, chosen: ChosenDesign) -> Panel:

@@ -8,11 +8,11 @@ from dataclasses import replace
 from rich.panel import Panel
 
 from coupling_design.checks.fatigue_limits import FatigueLimits
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.parts.criterion import Verdict
 from coupling_design.report.console.blocks import bullets, panel
 from coupling_design.report.words.numbers import significant
 from coupling_design.report.words.units import quantity
-from coupling_design.steps.outcome import DesignOutcome
 from coupling_design.wear.signals import Rundown
 
 _ALWAYS = (

@@ -12,11 +12,11 @@ from coupling_design.case.text.document import Document, parse_text
 from coupling_design.case.values.kinds import GAP, INERTIA, STIFFNESS
 from coupling_design.case.values.quantity import Kind
 from coupling_design.errors import CaseError, DesignError
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome
 from coupling_design.line.parameters import Driveline
 from coupling_design.machine.candidate import Candidate, candidate_driveline
 from coupling_design.machine.coupling_size import CouplingSize
 from coupling_design.machine.machine import Case, ConnectionKind
-from coupling_design.steps.outcome import ChosenDesign, DesignOutcome
 from coupling_design.steps.so_far import connection_option
 
 _DRIVELINE = "driveline"

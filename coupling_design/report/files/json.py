@@ -11,6 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from coupling_design import __version__
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome, LoadReading
 from coupling_design.report.files.json_parts import (
     catalogue_part,
     criterion_part,
@@ -19,12 +20,7 @@ from coupling_design.report.files.json_parts import (
 )
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.outcome import (
-    Baseline,
-    ChosenDesign,
-    DesignOutcome,
-    LoadReading,
-)
+from coupling_design.steps.present import Baseline
 from coupling_design.steps.step_result import Alternative, StepResult
 
 SCHEMA_VERSION = 1

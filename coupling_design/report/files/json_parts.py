@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+from coupling_design.flow.size_choice import CatalogueChoice, SizeTrial
 from coupling_design.parts.criterion import Criterion, Verdict
-from coupling_design.steps.size_choice import CatalogueChoice, SizeTrial
 from coupling_design.wear.performance import Performance
 from coupling_design.wear.sensitivity import Sensitivity
 

@@ -7,13 +7,13 @@ import secrets
 from pathlib import Path
 
 from coupling_design.errors import OutputError
+from coupling_design.flow.outcome import DesignOutcome
+from coupling_design.flow.speed_map import SpeedMap
 from coupling_design.report.console.console import plain_text
 from coupling_design.report.console.report import render_outcome
 from coupling_design.report.files.json import build_document, document_text
 from coupling_design.report.page.library import can_write_html
 from coupling_design.report.page.page import html_report
-from coupling_design.steps.outcome import DesignOutcome
-from coupling_design.steps.speed_map import SpeedMap
 
 
 def prepare_directory(directory: Path) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.report.console.performances import Measured
 from coupling_design.report.page.figure import (
     ROLE_COLOURS,
@@ -17,7 +18,6 @@ from coupling_design.report.page.tables import compared_designs
 from coupling_design.report.page.typography import typeset
 from coupling_design.report.words.damages import damage
 from coupling_design.report.words.units import display_unit, displayed, quantity
-from coupling_design.steps.outcome import DesignOutcome
 
 _HEIGHT = 300
 _BETWEEN = 0.02  # of the figure's width

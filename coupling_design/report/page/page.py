@@ -7,6 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from coupling_design.flow.outcome import DesignOutcome
+from coupling_design.flow.size_choice import CatalogueChoice
+from coupling_design.flow.speed_map import SpeedMap
 from coupling_design.report.console.designs import chosen_facts, trust
 from coupling_design.report.console.header import asked, identity
 from coupling_design.report.console.sizes import catalogue_facts, tried_sizes
@@ -34,9 +37,6 @@ from coupling_design.report.words.effort import effort_sentence
 from coupling_design.report.words.prices import describe_price
 from coupling_design.report.words.verdicts import answer, describe_strict
 from coupling_design.search.design_map import DesignMap
-from coupling_design.steps.outcome import DesignOutcome
-from coupling_design.steps.size_choice import CatalogueChoice
-from coupling_design.steps.speed_map import SpeedMap
 from coupling_design.steps.step_result import StepResult
 
 # What would end a script element, or a line of JavaScript, inside a JSON string.

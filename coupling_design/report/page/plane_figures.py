@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.report.console.maps import time_step_note
 from coupling_design.report.page.figure import (
     BLACK,
@@ -30,7 +31,6 @@ from coupling_design.report.page.stiffness_span import (
 from coupling_design.report.page.typography import typeset
 from coupling_design.report.words.units import displayed
 from coupling_design.search.design_map import DesignMap
-from coupling_design.steps.outcome import DesignOutcome
 from coupling_design.wear.performance import Performance
 
 _STIFFNESS = "C_Tdyn [MN*m/rad]"

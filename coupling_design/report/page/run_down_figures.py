@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.report.page.envelope import (
     CLOSER_LOOK,
     Bins,
@@ -25,7 +26,6 @@ from coupling_design.report.page.figure import (
     stack,
 )
 from coupling_design.report.words.units import displayed, quantity
-from coupling_design.steps.outcome import DesignOutcome
 from coupling_design.wear.signals import RundownHistory
 
 Floats = NDArray[np.float64]

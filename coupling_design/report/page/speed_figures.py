@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from coupling_design.flow.speed_map import CouplingSpeeds, SpeedMap
 from coupling_design.machine.machine import Plan
 from coupling_design.report.page.figure import (
     BLACK,
@@ -21,7 +22,6 @@ from coupling_design.report.page.figure import (
 )
 from coupling_design.report.page.typography import typeset
 from coupling_design.report.words.units import displayed
-from coupling_design.steps.speed_map import CouplingSpeeds, SpeedMap
 
 _SPEED = "mean speed [rpm]"
 _HEIGHT = 430

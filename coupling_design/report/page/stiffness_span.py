@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.report.page.figure import logarithmic
 from coupling_design.report.words.names import words
 from coupling_design.report.words.units import displayed
 from coupling_design.search.design_map import DesignMap
-from coupling_design.steps.outcome import DesignOutcome
 
 
 def stiffness_axis(outcome: DesignOutcome, map_: DesignMap) -> dict[str, Any]:

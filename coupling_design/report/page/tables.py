@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
+from coupling_design.flow.outcome import DesignOutcome
+from coupling_design.flow.speed_map import CouplingSpeeds
 from coupling_design.machine.machine import Case, SourcedValue
 from coupling_design.parts.criterion import Criterion
 from coupling_design.report.console.assumptions import section_of, section_title
@@ -22,8 +24,6 @@ from coupling_design.report.words.numbers import percent, significant
 from coupling_design.report.words.units import display_unit, quantity, value_and_limit
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.outcome import DesignOutcome
-from coupling_design.steps.speed_map import CouplingSpeeds
 from coupling_design.steps.step_result import Alternative
 
 _MAP_COLUMNS, _MAP_ROWS, _MAP_DIGITS = 7, 5, 3

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from coupling_design.flow.outcome import ChosenDesign
 from coupling_design.machine.machine import Case
 from coupling_design.report.words.units import quantity
-from coupling_design.steps.outcome import ChosenDesign
 from coupling_design.wear.performance import Performance
 from coupling_design.wear.sensitivity import Sensitivity
 

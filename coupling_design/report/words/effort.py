@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coupling_design.steps.outcome import DesignOutcome
+from coupling_design.flow.outcome import DesignOutcome
 
 
 def effort_sentence(outcome: DesignOutcome) -> str:

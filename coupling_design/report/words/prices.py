@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from coupling_design.flow.size_choice import CatalogueChoice
 from coupling_design.report.words.numbers import significant
 from coupling_design.report.words.units import quantity
-from coupling_design.steps.size_choice import CatalogueChoice
 
 _DIGITS_OF_PRICE = 3
 

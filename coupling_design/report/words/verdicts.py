@@ -7,13 +7,13 @@ from collections.abc import Iterable
 from rich.console import Group
 from rich.text import Text
 
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome, LoadReading
+from coupling_design.flow.size_choice import CatalogueChoice
 from coupling_design.parts.criterion import Criterion
 from coupling_design.report.words.names import VERDICT_STYLES, words
 from coupling_design.report.words.numbers import significant
 from coupling_design.report.words.prices import describe_price
 from coupling_design.report.words.units import display_unit, quantity, value_and_limit
-from coupling_design.steps.outcome import ChosenDesign, DesignOutcome, LoadReading
-from coupling_design.steps.size_choice import CatalogueChoice
 
 _DIGITS_OF_REDUCTION = 3
 

@@ -7,9 +7,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from coupling_design.flow.speed_map import evaluate_speed_map
 from coupling_design.search.design_map import DesignMap
 from coupling_design.signals.history import History
-from coupling_design.steps.speed_map import evaluate_speed_map
 from coupling_design.wear.signals import BearingHistory, RundownHistory
 
 SAMPLES = 20_000

@@ -3,7 +3,7 @@ import math
 
 import pytest
 
-from coupling_design.steps.flow import run_design
+from coupling_design.flow.design import run_design
 from coupling_design.steps.step_result import Decision
 from coupling_design.wear.performance import Performance
 

@@ -10,8 +10,8 @@ from coupling_design.checks.warnings import (
     stop_remark,
     weight_above_limit,
 )
+from coupling_design.flow.design import run_design
 from coupling_design.machine.machine import LoadLimitReading
-from coupling_design.steps.flow import run_design
 
 
 @pytest.fixture(scope="module")

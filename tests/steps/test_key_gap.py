@@ -1,8 +1,8 @@
 import pytest
 
-from coupling_design.steps.flow import STAGES
+from coupling_design.flow.design import STAGES
+from coupling_design.steps.key_gap import minimise_key_gap
 from coupling_design.steps.so_far import gap_nearest_present, options_of
-from coupling_design.steps.stages.key_gap import minimise_key_gap
 from coupling_design.steps.step_result import Decision
 
 

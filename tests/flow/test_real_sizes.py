@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
+from coupling_design.flow.design import run_design
+from coupling_design.flow.real_sizes import choose_size
 from coupling_design.machine.candidate import Candidate
 from coupling_design.search.workbench import Effort
-from coupling_design.steps.flow import run_design
-from coupling_design.steps.real_sizes import choose_size
 from coupling_design.wear.evaluator import Evaluator
 
 EFFORT = Effort(stiffnesses=10, survey_gaps=2, stiffnesses_with_gap=4, gaps=2, starts=2)

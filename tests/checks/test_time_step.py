@@ -5,8 +5,8 @@ import pytest
 
 from coupling_design.checks.time_step import candidates, check_time_step, stable_step
 from coupling_design.errors import CaseError
+from coupling_design.flow.design import run_design
 from coupling_design.line.modes import largest_stable_step
-from coupling_design.steps.flow import run_design
 
 
 def refusal(case):

@@ -6,12 +6,12 @@ import pytest
 from coupling_design.machine.machine import Plan
 from coupling_design.search.optimum import Optimum
 from coupling_design.search.program import Objective
-from coupling_design.steps.so_far import AllowedType, Solution
-from coupling_design.steps.stages.parsimony import (
+from coupling_design.steps.parsimony import (
     WORTH_A_CHANGE,
     keep_lowest_stiffness,
     kept_finding,
 )
+from coupling_design.steps.so_far import AllowedType, Solution
 
 
 @pytest.fixture

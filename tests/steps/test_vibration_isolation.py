@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 
 from coupling_design.steps.so_far import AllowedType
-from coupling_design.steps.stages.vibration_isolation import check_vibration_isolation
 from coupling_design.steps.step_result import Decision
+from coupling_design.steps.vibration_isolation import check_vibration_isolation
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import pytest
 
 from coupling_design.checks.coupling import torque_criteria
 from coupling_design.parts.criterion import Verdict
-from coupling_design.steps.stages.coupling_types import determine_coupling_types
+from coupling_design.steps.coupling_types import determine_coupling_types
 from coupling_design.steps.step_result import Decision
 
 

@@ -5,35 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from coupling_design.checks.fatigue_limits import FatigueLimits
+from coupling_design.flow.size_choice import CatalogueChoice
 from coupling_design.machine.machine import Case, Plan, SourcedValue
 from coupling_design.parts.criterion import Criterion
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.size_choice import CatalogueChoice
+from coupling_design.steps.present import Baseline
 from coupling_design.steps.step_result import StepResult
 from coupling_design.wear.conditioning import Conditioning
 from coupling_design.wear.performance import Performance
 from coupling_design.wear.sensitivity import Sensitivity
 from coupling_design.wear.signals import Rundown, RundownHistory
-
-
-@dataclass(frozen=True)
-class Baseline:
-    """The present coupling in the present connection."""
-
-    performance: Performance
-    connection: str
-    coupling_type: str
-    rundown: Rundown
-    conditioning: Conditioning
-    time_step: float
-    largest_stable_step: float
-    sensitivity: Sensitivity
-
-    @property
-    def digits(self) -> int:
-        """Digits of the damage that stand, numerically and when inputs move."""
-        return min(self.conditioning.digits, self.sensitivity.digits)
 
 
 @dataclass(frozen=True)

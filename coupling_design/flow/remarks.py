@@ -10,9 +10,9 @@ from coupling_design.checks.warnings import (
     run_down_warnings,
     stop_remark,
 )
+from coupling_design.flow.outcome import ChosenDesign
 from coupling_design.line.parameters import FuelCutStart
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.outcome import ChosenDesign
 from coupling_design.steps.so_far import FlowState
 from coupling_design.wear.evaluator import Evaluator
 from coupling_design.wear.performance import Performance

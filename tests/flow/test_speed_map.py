@@ -6,6 +6,8 @@ import math
 import numpy as np
 import pytest
 
+from coupling_design.flow.outcome import ChosenDesign
+from coupling_design.flow.speed_map import evaluate_speed_map
 from coupling_design.line.parameters import ExcitationOrder
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.machine import ConnectionKind, Plan
@@ -14,10 +16,8 @@ from coupling_design.steps.limits import (
     high_frequency_constraint,
     isolation_constraints,
 )
-from coupling_design.steps.outcome import ChosenDesign
 from coupling_design.steps.present import present_candidate
 from coupling_design.steps.so_far import connection_option
-from coupling_design.steps.speed_map import evaluate_speed_map
 from coupling_design.wear.conditioning import Conditioning
 from coupling_design.wear.evaluator import Evaluator
 from coupling_design.wear.sensitivity import Sensitivity

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from coupling_design.__main__ import main
+from coupling_design.flow.design import run_design
 from coupling_design.parts.criterion import Verdict
-from coupling_design.steps.flow import run_design
 
 INPUTS = Path(__file__).parents[1] / "inputs"
 DEADLY = {

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from coupling_design.checks.coupling import size_criteria
+from coupling_design.flow.size_choice import CatalogueChoice, SizeTrial
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.coupling_size import CouplingSize
 from coupling_design.machine.machine import Case, Choice, CouplingType
 from coupling_design.parts.criterion import Criterion, Verdict, none_fails
-from coupling_design.steps.size_choice import CatalogueChoice, SizeTrial
+from coupling_design.steps.coupling_types import carrying_sizes
 from coupling_design.steps.so_far import FlowState, Solution
-from coupling_design.steps.stages.coupling_types import carrying_sizes
 from coupling_design.wear.conditioning import conditioning
 
 _ALL_MET = "meets every limit"

@@ -2,8 +2,8 @@
 
 import pytest
 
+from coupling_design.flow.design import run_design
 from coupling_design.machine.machine import Plan
-from coupling_design.steps.flow import run_design
 from coupling_design.steps.step_result import Decision
 
 pytestmark = pytest.mark.slow

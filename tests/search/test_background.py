@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from coupling_design.errors import SimulationError
+from coupling_design.flow import design as flow
+from coupling_design.flow.design import run_design
 from coupling_design.lanes.compiler import VARIABLE
 from coupling_design.search.plane import survey
 from coupling_design.search.program import DesignSpace, Objective
 from coupling_design.search.workbench import Effort, problem
-from coupling_design.steps import flow
-from coupling_design.steps.flow import run_design
 from coupling_design.wear.evaluator import Evaluator
 
 N, GAPS = 6, 5

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
+from coupling_design.flow.outcome import ChosenDesign
 from coupling_design.line.parameters import Driveline
 from coupling_design.machine.candidate import Candidate, candidate_driveline
 from coupling_design.machine.machine import Case, ConnectionKind, Plan
@@ -30,7 +31,6 @@ from coupling_design.speeds.vibration import (
     operating_points,
 )
 from coupling_design.steps.limits import ISOLATION_RATIO
-from coupling_design.steps.outcome import ChosenDesign
 from coupling_design.steps.present import present_candidate
 from coupling_design.steps.so_far import connection_option
 

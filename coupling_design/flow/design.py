@@ -10,6 +10,18 @@ from coupling_design.checks.coupling import size_criteria, torque_criteria
 from coupling_design.checks.fatigue_limits import fatigue_limits
 from coupling_design.checks.time_step import check_time_step
 from coupling_design.checks.warnings import weight_above_limit
+from coupling_design.flow.figures import (
+    chosen_plane,
+    rundown_history,
+    steps_with_maps,
+)
+from coupling_design.flow.outcome import ChosenDesign, DesignOutcome, LoadReading
+from coupling_design.flow.real_sizes import choose_size, settle
+from coupling_design.flow.remarks import (
+    fuel_cut_at_once,
+    outcome_remarks,
+    outcome_warnings,
+)
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.machine import Case, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.parts.bearing.contact_stress import strict_transmission_force
@@ -22,23 +34,15 @@ from coupling_design.search.workbench import (
     Progress,
     Workbench,
 )
-from coupling_design.steps.figures import (
-    chosen_plane,
-    rundown_history,
-    steps_with_maps,
-)
+from coupling_design.steps.bearing_load import limit_bearing_load
+from coupling_design.steps.coupling_types import determine_coupling_types
+from coupling_design.steps.high_stiffness_plan import plan_high_stiffness
+from coupling_design.steps.key_gap import minimise_key_gap
 from coupling_design.steps.limits import load_constraints
-from coupling_design.steps.outcome import ChosenDesign, DesignOutcome, LoadReading
 from coupling_design.steps.present import (
     evaluate_baseline,
     present_candidate,
     rundown,
-)
-from coupling_design.steps.real_sizes import choose_size, settle
-from coupling_design.steps.remarks import (
-    fuel_cut_at_once,
-    outcome_remarks,
-    outcome_warnings,
 )
 from coupling_design.steps.so_far import (
     FlowState,
@@ -46,11 +50,7 @@ from coupling_design.steps.so_far import (
     connection_option,
     options_of,
 )
-from coupling_design.steps.stages.bearing_load import limit_bearing_load
-from coupling_design.steps.stages.coupling_types import determine_coupling_types
-from coupling_design.steps.stages.high_stiffness_plan import plan_high_stiffness
-from coupling_design.steps.stages.key_gap import minimise_key_gap
-from coupling_design.steps.stages.vibration_isolation import (
+from coupling_design.steps.vibration_isolation import (
     check_vibration_isolation,
 )
 from coupling_design.wear.conditioning import conditioning

@@ -17,16 +17,16 @@ from coupling_design.search.workbench import (
     search,
     verdict_remark,
 )
+from coupling_design.steps.parsimony import (
+    WORTH_A_CHANGE,
+    keep_lowest_stiffness,
+    kept_finding,
+)
 from coupling_design.steps.so_far import (
     FlowState,
     Solution,
     gap_nearest_present,
     options_of,
-)
-from coupling_design.steps.stages.parsimony import (
-    WORTH_A_CHANGE,
-    keep_lowest_stiffness,
-    kept_finding,
 )
 from coupling_design.steps.step_result import Alternative, Decision, StepResult
 

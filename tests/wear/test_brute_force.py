@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from coupling_design.flow.design import silent
 from coupling_design.search.program import DesignSpace, Objective
 from coupling_design.search.reach import reachable_stiffness
 from coupling_design.search.workbench import Workbench, problem, search
-from coupling_design.steps.flow import silent
 from coupling_design.steps.limits import (
     high_frequency_constraint,
     isolation_constraints,

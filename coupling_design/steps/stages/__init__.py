@@ -1,1 +1,0 @@
-"""The five steps of the design flow, one file each."""
