@@ -10,7 +10,7 @@ from coupling_design.machine.machine import Case, Plan, SourcedValue
 from coupling_design.parts.criterion import Criterion
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.present import Baseline
+from coupling_design.steps.baseline import Baseline
 from coupling_design.steps.step_result import StepResult
 from coupling_design.wear.conditioning import Conditioning
 from coupling_design.wear.performance import Performance

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,31 +15,13 @@ from coupling_design.parts.bearing.lubrication import (
 )
 from coupling_design.search.workbench import Workbench
 from coupling_design.signals.resonance import largest_swing, rest_time
+from coupling_design.steps.baseline import Baseline
 from coupling_design.steps.so_far import connection_option
 from coupling_design.wear.conditioning import conditioning
 from coupling_design.wear.evaluator import Evaluator
 from coupling_design.wear.performance import Performance
 from coupling_design.wear.sensitivity import sensitivity
 from coupling_design.wear.signals import Rundown
-
-
-@dataclass(frozen=True)
-class Baseline:
-    """The present coupling in the present connection."""
-
-    performance: Performance
-    connection: str
-    coupling_type: str
-    rundown: Rundown
-    conditioning: Conditioning
-    time_step: float
-    largest_stable_step: float
-    sensitivity: Sensitivity
-
-    @property
-    def digits(self) -> int:
-        """Digits of the damage that stand, numerically and when inputs move."""
-        return min(self.conditioning.digits, self.sensitivity.digits)
 
 
 def present_candidate(case: Case) -> Candidate:

@@ -16,7 +16,7 @@ from coupling_design.search.optimum import Optimum
 from coupling_design.search.plane import Survey
 from coupling_design.search.program import Constraint
 from coupling_design.search.workbench import Workbench
-from coupling_design.steps.present import Baseline
+from coupling_design.steps.baseline import Baseline
 from coupling_design.steps.step_result import StepResult
 
 

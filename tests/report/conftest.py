@@ -18,7 +18,7 @@ from coupling_design.machine.machine import Plan
 from coupling_design.parts.criterion import Criterion, Sense, Verdict
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.present import Baseline
+from coupling_design.steps.baseline import Baseline
 from coupling_design.steps.step_result import Alternative, Decision, StepResult
 from coupling_design.wear.chance import Spread
 from coupling_design.wear.conditioning import Conditioning

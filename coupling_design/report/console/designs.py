@@ -27,7 +27,7 @@ from coupling_design.report.words.names import words
 from coupling_design.report.words.units import as_given
 from coupling_design.report.words.verdicts import describe_reduction
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.present import Baseline
+from coupling_design.steps.baseline import Baseline
 
 
 def render_baseline(outcome: DesignOutcome) -> Panel:

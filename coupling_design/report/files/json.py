@@ -20,7 +20,7 @@ from coupling_design.report.files.json_parts import (
 )
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum
-from coupling_design.steps.present import Baseline
+from coupling_design.steps.baseline import Baseline
 from coupling_design.steps.step_result import Alternative, StepResult
 
 SCHEMA_VERSION = 1
