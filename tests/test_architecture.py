@@ -272,9 +272,9 @@ def test_a_sound_package_passes(plant):
 @pytest.mark.parametrize(
     "statement",
     [
-        "import coupling_design.flow.design",
+        "import coupling_design.steps.key_gap",
         "from coupling_design.steps import flow",
-        "from coupling_design.flow.design import STAGES",
+        "from coupling_design.steps.key_gap import find_gap",
         "from ...steps import flow",
         "def late():\n    from coupling_design.steps import flow",
         "if TYPE_CHECKING:\n    from coupling_design.steps import flow",
