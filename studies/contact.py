@@ -64,8 +64,8 @@ class ContactInfluence:
 @functools.cache
 def at_half(case: Case, contact: float) -> AtHalf:
     """Return what half the stiffness does with a contact [N m/rad]."""
-    joint = dataclasses.replace(case.joint, contact_stiffness=contact)
-    keyed = Evaluator(dataclasses.replace(case, joint=joint), present_candidate(case))
+    seat = dataclasses.replace(case.hub_seat, contact_stiffness=contact)
+    keyed = Evaluator(dataclasses.replace(case, hub_seat=seat), present_candidate(case))
     now, built = present_point(case)
     points = [(HALF * now, built), (now, built)]
     half, full = keyed.performances(points)
@@ -80,13 +80,13 @@ def at_half(case: Case, contact: float) -> AtHalf:
 
 def examine(case: Case, contacts: tuple[float, ...] = CONTACTS) -> ContactInfluence:
     """Return the influence of the contact's stiffness."""
-    present = at_half(case, case.joint.contact_stiffness or HARD_CONTACT)
+    present = at_half(case, case.hub_seat.contact_stiffness or HARD_CONTACT)
     return ContactInfluence(present, tuple(at_half(case, k) for k in contacts))
 
 
 def why_not_half(case: Case) -> str:
     """Return what half the stiffness does with the case's contact and a hard one."""
-    ours = at_half(case, case.joint.contact_stiffness or HARD_CONTACT)
+    ours = at_half(case, case.hub_seat.contact_stiffness or HARD_CONTACT)
     hard = at_half(case, HARD_CONTACT)
     sentence = (
         f"With the contact of {ours.contact / 1e6:.4g} MN m/rad half the stiffness "

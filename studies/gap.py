@@ -68,7 +68,7 @@ def examine(case: Case, gaps: tuple[float, ...] = SWEEP) -> GapInfluence:
         cases=forces(present(case), cases),
         gaps=gaps,
         sweep=forces(present(case), [(stiffness, gap) for gap in gaps]),
-        smoothing=case.joint.smoothing or 0.0,
+        smoothing=case.hub_seat.smoothing or 0.0,
     )
 
 

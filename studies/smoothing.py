@@ -52,9 +52,9 @@ def smoothing_unit(case: Case) -> list[Contrast]:
     found = []
     for name in ("per radian", "per metre"):
         key = readings[name]
-        joint = dataclasses.replace(case.joint, smoothing=key.smoothing)
+        seat = dataclasses.replace(case.hub_seat, smoothing=key.smoothing)
         blunt = Evaluator(
-            dataclasses.replace(case, joint=joint), present_candidate(case)
+            dataclasses.replace(case, hub_seat=seat), present_candidate(case)
         )
         other = blunt.performance(*present_point(case))
         found.append(

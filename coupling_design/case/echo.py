@@ -14,7 +14,7 @@ from coupling_design.case.load import validate
 from coupling_design.case.text.document import Document
 from coupling_design.case.text.fault import Path, dotted
 from coupling_design.case.values.stated import Stated
-from coupling_design.machine.machine import SourcedValue
+from coupling_design.machine.sourced_value import SourcedValue
 
 
 @dataclass(frozen=True)

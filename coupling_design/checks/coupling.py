@@ -20,7 +20,8 @@ from dataclasses import replace
 from coupling_design.line.parameters import Driveline
 from coupling_design.machine.candidate import Candidate, candidate_driveline
 from coupling_design.machine.coupling_size import CouplingSize
-from coupling_design.machine.machine import Case, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.machine import Case
 from coupling_design.parts.criterion import Criterion, held, not_checked
 from coupling_design.speeds.coupling_load import resonance_passage, working_load
 

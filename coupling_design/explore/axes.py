@@ -18,7 +18,8 @@ from coupling_design.case.values.quantity import Kind, QuantityError
 from coupling_design.errors import CaseError
 from coupling_design.explore.grid import Quantity, Values
 from coupling_design.explore.points import parse_relative, present_point
-from coupling_design.machine.machine import Case, SourcedValue
+from coupling_design.machine.machine import Case
+from coupling_design.machine.sourced_value import SourcedValue
 
 STIFFNESS_PATH = "driveline.coupling.torsional_stiffness"
 GAP_PATH = "driveline.connection.gap"

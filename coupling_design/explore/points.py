@@ -11,7 +11,9 @@ from coupling_design.case.values.kinds import GAP, STIFFNESS
 from coupling_design.case.values.quantity import Kind, QuantityError
 from coupling_design.errors import CaseError
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import Case, ConnectionKind, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.steps.present import present_candidate
 from coupling_design.steps.so_far import connection_option
 

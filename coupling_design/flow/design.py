@@ -23,7 +23,8 @@ from coupling_design.flow.remarks import (
     outcome_warnings,
 )
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import Case, ConnectionKind, LoadLimitReading, Plan
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind, LoadLimitReading, Plan
 from coupling_design.parts.bearing.contact_stress import strict_transmission_force
 from coupling_design.parts.criterion import Criterion, none_fails
 from coupling_design.search.optimum import Optimum

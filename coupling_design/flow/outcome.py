@@ -6,7 +6,9 @@ from dataclasses import dataclass, field
 
 from coupling_design.checks.fatigue_limits import FatigueLimits
 from coupling_design.flow.size_choice import CatalogueChoice
-from coupling_design.machine.machine import Case, Plan, SourcedValue
+from coupling_design.machine.machine import Case
+from coupling_design.machine.sourced_value import SourcedValue
+from coupling_design.machine.words import Plan
 from coupling_design.parts.criterion import Criterion
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum

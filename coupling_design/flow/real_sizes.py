@@ -9,7 +9,9 @@ from coupling_design.checks.coupling import size_criteria
 from coupling_design.flow.size_choice import CatalogueChoice, SizeTrial
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.coupling_size import CouplingSize
-from coupling_design.machine.machine import Case, Choice, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import Choice
 from coupling_design.parts.criterion import Criterion, Verdict, none_fails
 from coupling_design.steps.coupling_types import carrying_sizes
 from coupling_design.steps.so_far import FlowState, Solution

@@ -17,7 +17,8 @@ from coupling_design.arithmetic import FloatArray
 from coupling_design.flow.outcome import ChosenDesign
 from coupling_design.line.parameters import Driveline
 from coupling_design.machine.candidate import Candidate, candidate_driveline
-from coupling_design.machine.machine import Case, ConnectionKind, Plan
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind, Plan
 from coupling_design.speeds.campbell import (
     CriticalSpeed,
     critical_speeds,

@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 from coupling_design.arithmetic import Scalar
 from coupling_design.line.parameters import Coupling, Driveline
 from coupling_design.machine.coupling_size import CouplingSize
-from coupling_design.machine.machine import Case, ConnectionOption, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.hub_seat import ConnectionOption
+from coupling_design.machine.machine import Case
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ def candidate_driveline(
     return replace(
         driveline,
         coupling=Coupling(torsional_stiffness, law),
-        connection=case.joint.connect(candidate.connection.kind, key_gap),
+        connection=case.hub_seat.connect(candidate.connection.kind, key_gap),
     )
 
 

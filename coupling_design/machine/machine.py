@@ -2,173 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from coupling_design.errors import CaseError
 from coupling_design.line.parameters import (
-    Connection,
-    DampingLaw,
     Driveline,
     ExcitationOrder,
-    KeyedConnection,
     Shutdown,
-    TightFit,
 )
-from coupling_design.machine.coupling_size import CatalogueFile, CouplingSize
-from coupling_design.machine.words import Choice as Choice
-from coupling_design.machine.words import ConnectionKind as ConnectionKind
-from coupling_design.machine.words import LoadLimitReading as LoadLimitReading
-from coupling_design.machine.words import Plan as Plan
-from coupling_design.machine.words import Source as Source
-from coupling_design.machine.words import StartWord as StartWord
+from coupling_design.machine.coupling_size import CatalogueFile
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.duty import Duty
+from coupling_design.machine.hub_seat import ConnectionOption, HubSeat
+from coupling_design.machine.sourced_value import SourcedValue
+from coupling_design.machine.words import (
+    Choice,
+    ConnectionKind,
+    LoadLimitReading,
+    Source,
+)
 from coupling_design.parts.bearing.parameters import Bearing, Lubrication, ShaftGeometry
-
-
-@dataclass(frozen=True)
-class ShortCircuit:
-    """A short circuit at the terminals: largest air-gap torque [N m], and S_L [-].
-
-    DIN 740-2's factor of sudden load is 1.8 for a medium and at most 2 for a step.
-    """
-
-    air_gap_torque: float
-    sudden_load_factor: float
-
-
-@dataclass(frozen=True)
-class Duty:
-    """What the set works at.
-
-    `working_speed` is the lowest and the highest [rad/s], torques are in N m.
-    `rare_torque` comes a few times in a life, as its maker states it at the coupling;
-    `short_circuit` what it follows from; None if not stated. Temperature and start
-    factor are DIN 740-2's S_t (elastomers only) and S_z.
-    """
-
-    working_speed: tuple[float, float]
-    rated_torque: float
-    peak_torque: float
-    service_factor: float
-    rare_torque: float | None = None
-    temperature_factor: float = 1.0
-    start_factor: float = 1.0
-    short_circuit: ShortCircuit | None = None
-
-
-_SAME_STIFFNESS = 1e-6  # of a size and of what a case says the present one has
-
-
-@dataclass(frozen=True)
-class CouplingType:
-    """A family of couplings to choose from.
-
-    Attributes
-    ----------
-    name, description : as the report calls it
-    plan : the plan of the design flow it belongs to
-    nominal_torque, maximum_torque : T_KN, T_Kmax [N m]
-    maximum_speed : [rad/s]
-    stiffness_range : lowest and highest dynamic stiffness of the family [N m/rad]
-    damping_law : how its damping follows its stiffness
-    connections : kinds of hub it is made with
-    sizes : the real ones, softest first, where it is a series of a catalogue
-    """
-
-    name: str
-    description: str
-    plan: Plan
-    nominal_torque: float
-    maximum_torque: float
-    maximum_speed: float
-    stiffness_range: tuple[float, float]
-    damping_law: DampingLaw
-    connections: tuple[ConnectionKind, ...]
-    sizes: tuple[CouplingSize, ...] = ()
-
-    def size_of(self, torsional_stiffness: float) -> CouplingSize | None:
-        """Return the size of a stiffness [N m/rad], None if there is none."""
-        same = (
-            size
-            for size in self.sizes
-            if abs(size.torsional_stiffness / torsional_stiffness - 1)
-            <= _SAME_STIFFNESS
-        )
-        return next(same, None)
-
-    def with_sizes(self, sizes: tuple[CouplingSize, ...]) -> CouplingType:
-        """Return the series of these sizes: their span, and what each of them takes."""
-        ordered = tuple(sorted(sizes, key=lambda size: size.torsional_stiffness))
-        return replace(
-            self,
-            nominal_torque=min(size.nominal_torque for size in ordered),
-            maximum_torque=min(size.maximum_torque for size in ordered),
-            maximum_speed=min(size.maximum_speed for size in ordered),
-            stiffness_range=(
-                ordered[0].torsional_stiffness,
-                ordered[-1].torsional_stiffness,
-            ),
-            sizes=ordered,
-        )
-
-
-@dataclass(frozen=True)
-class ConnectionOption:
-    """A kind of connection the design may take, and its total gap [m]."""
-
-    kind: ConnectionKind
-    minimum_gap: float
-    maximum_gap: float
-
-
-@dataclass(frozen=True)
-class Joint:
-    """The seat of the hub on the generator shaft, whatever connection it gets.
-
-    `radius` [m] holds for all; contact stiffness [N m/rad], oil damping [N m s/rad]
-    and smoothing [1/m] are None where no key or spline is considered.
-    """
-
-    radius: float
-    contact_stiffness: float | None
-    oil_damping: float | None
-    smoothing: float | None
-
-    def connect(self, kind: ConnectionKind, gap: float) -> Connection:
-        """Return the connection of that kind, with a gap [m] where it has one."""
-        if kind is ConnectionKind.TIGHT_FIT:
-            return TightFit(radius=self.radius)
-        contact = (self.contact_stiffness, self.oil_damping, self.smoothing)
-        if None in contact:
-            raise CaseError(
-                [
-                    f"driveline.connection: a {kind} needs contact_stiffness, "
-                    "oil_damping and smoothing, which this case does not give"
-                ]
-            )
-        return KeyedConnection(
-            radius=self.radius,
-            gap=gap,
-            contact_stiffness=self.contact_stiffness,
-            oil_damping=self.oil_damping,
-            smoothing=self.smoothing,
-        )
-
-
-@dataclass(frozen=True)
-class SourcedValue:
-    """One value of the file: its path, as written, in SI, and where it comes from.
-
-    `value` is a float in `unit`, or the word chosen; `source` is None if not stated,
-    `line` if it stands in no file of its own.
-    """
-
-    path: str
-    text: str
-    value: float | str
-    unit: str
-    source: Source | None
-    note: str
-    line: int | None = None
 
 
 @dataclass(frozen=True)
@@ -192,7 +44,7 @@ class Case:
     sha256: str
     reading: LoadLimitReading
     driveline: Driveline
-    joint: Joint
+    hub_seat: HubSeat
     present_coupling_type: str
     present_connection: ConnectionKind
     shutdown: Shutdown

@@ -10,7 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import Case, ConnectionKind
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.search.background import Background
 from coupling_design.search.ipopt import optimise
 from coupling_design.search.optimum import Optimum

@@ -11,7 +11,9 @@ from coupling_design.checks.coupling import (
 )
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.coupling_size import CouplingSize
-from coupling_design.machine.machine import Case, CouplingType, Plan
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import Plan
 from coupling_design.parts.criterion import Criterion, none_fails
 from coupling_design.steps.so_far import AllowedType, FlowState, options_of
 from coupling_design.steps.step_result import Alternative, Decision, StepResult

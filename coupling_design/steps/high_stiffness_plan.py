@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import Case, ConnectionOption, Plan
+from coupling_design.machine.hub_seat import ConnectionOption
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import Plan
 from coupling_design.search.optimum import Optimum
 from coupling_design.search.program import DesignSpace, Objective
 from coupling_design.search.workbench import (

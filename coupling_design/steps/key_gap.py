@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from coupling_design.line.contact import SHARP, sharpness
 from coupling_design.line.parameters import KeyedConnection
 from coupling_design.machine.candidate import Candidate, candidate_driveline
-from coupling_design.machine.machine import ConnectionOption
+from coupling_design.machine.hub_seat import ConnectionOption
 from coupling_design.search.optimum import Optimum
 from coupling_design.search.program import DesignProblem, DesignSpace, Objective
 from coupling_design.search.workbench import (

@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 
 from coupling_design.arithmetic import Scalar, maximum
-from coupling_design.machine.machine import Case, LoadLimitReading
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import LoadLimitReading
 from coupling_design.parts.bearing.contact_stress import (
     minimum_load,
     permissible_transmission_force,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.steps.so_far import FlowState, Solution
 from coupling_design.wear.conditioning import conditioning
 

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import (
-    Case,
-    ConnectionKind,
-    ConnectionOption,
-    CouplingType,
-    Plan,
-)
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.hub_seat import ConnectionOption
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind, Plan
 from coupling_design.search.optimum import Optimum
 from coupling_design.search.plane import Survey
 from coupling_design.search.program import Constraint

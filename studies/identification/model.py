@@ -199,7 +199,7 @@ def _machinery(
 def driveline(case: Case, parameters: ca.SX, tight: bool) -> Driveline:
     """Return the case's driveline with the lost inputs as symbols."""
     p = dict(zip((*NAMES, "gap"), ca.vertsplit(parameters), strict=True))
-    now, joint = case.driveline, case.joint
+    now, joint = case.driveline, case.hub_seat
     law = ProportionalDamping(p["damping_factor"], _characteristic_frequency(case))
     keyed = KeyedConnection(
         radius=joint.radius,

@@ -139,7 +139,7 @@ def test_a_tight_fit_alone_needs_no_key(load, valid):
     assert case.driveline.connection == TightFit(radius=pytest.approx(0.050))
     assert case.connections == (ConnectionOption(ConnectionKind.TIGHT_FIT, 0.0, 0.0),)
     with pytest.raises(CaseError, match="a key needs contact_stiffness"):
-        case.joint.connect(ConnectionKind.KEY, 1e-4)
+        case.hub_seat.connect(ConnectionKind.KEY, 1e-4)
 
 
 def test_a_tight_fit_beside_an_offered_key_needs_its_parameters(problems, valid):
@@ -150,7 +150,7 @@ def test_a_tight_fit_beside_an_offered_key_needs_its_parameters(problems, valid)
 
 
 def test_joint_connects_every_kind(load, valid):
-    joint = load(valid).joint
+    joint = load(valid).hub_seat
     assert joint.connect(ConnectionKind.SPLINE, 3e-5).gap == 3e-5
     assert joint.connect(ConnectionKind.TIGHT_FIT, 0.0) == TightFit(joint.radius)
 

@@ -9,7 +9,8 @@ from coupling_design.checks.coupling import size_criteria
 from coupling_design.line.parameters import ExcitationOrder, Resistance
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.coupling_size import CouplingKind
-from coupling_design.machine.machine import ConnectionKind, ShortCircuit
+from coupling_design.machine.duty import ShortCircuit
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.parts.criterion import Verdict, none_fails
 from coupling_design.steps.so_far import connection_option
 

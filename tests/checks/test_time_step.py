@@ -16,8 +16,8 @@ def refusal(case):
 
 
 def with_contact(case, contact_stiffness):
-    joint = replace(case.joint, contact_stiffness=contact_stiffness)
-    return replace(case, joint=joint)
+    seat = replace(case.hub_seat, contact_stiffness=contact_stiffness)
+    return replace(case, hub_seat=seat)
 
 
 def test_a_step_that_suits_every_candidate_is_taken(quick):

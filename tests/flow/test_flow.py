@@ -173,7 +173,7 @@ def test_a_tight_fit_as_built_runs_through(calm, candidate, tiny_effort):
         present_connection=candidate(calm, "rubber", "tight_fit").connection.kind,
         driveline=dataclasses.replace(
             calm.driveline,
-            connection=calm.joint.connect("tight_fit", 0.0),
+            connection=calm.hub_seat.connect("tight_fit", 0.0),
         ),
     )
     outcome = run_design(case, effort=tiny_effort)

@@ -3,7 +3,7 @@
 import pytest
 
 from coupling_design.flow.design import run_design
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.steps.step_result import Decision
 
 pytestmark = pytest.mark.slow

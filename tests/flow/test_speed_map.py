@@ -10,7 +10,7 @@ from coupling_design.flow.outcome import ChosenDesign
 from coupling_design.flow.speed_map import evaluate_speed_map
 from coupling_design.line.parameters import ExcitationOrder
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import ConnectionKind, Plan
+from coupling_design.machine.words import ConnectionKind, Plan
 from coupling_design.speeds.campbell import Position
 from coupling_design.steps.limits import (
     high_frequency_constraint,

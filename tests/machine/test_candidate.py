@@ -2,7 +2,7 @@ import pytest
 
 from coupling_design.line.parameters import LossFactorDamping
 from coupling_design.machine.candidate import Candidate, candidate_driveline
-from coupling_design.machine.machine import ConnectionKind
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.steps.so_far import connection_option
 
 HALF = ("type: rubber\n", "type: rubber\n    driving_inertia: 0.15 kg*m^2\n")

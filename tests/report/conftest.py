@@ -14,7 +14,7 @@ from coupling_design.machine.coupling_size import (
     CouplingKind,
     CouplingSize,
 )
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.parts.criterion import Criterion, Sense, Verdict
 from coupling_design.search.design_map import DesignMap
 from coupling_design.search.optimum import Optimum

@@ -13,7 +13,7 @@ from coupling_design.flow.speed_map import (
     SpeedMap,
     evaluate_speed_map,
 )
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.report.console.console import plain_text
 from coupling_design.report.console.speeds import render_speed_map
 from coupling_design.speeds.campbell import CriticalSpeed, Position

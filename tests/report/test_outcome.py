@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.machine.words import LoadLimitReading
 from coupling_design.report.console.console import plain_text
 from coupling_design.report.console.report import render_outcome
 

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from coupling_design.machine.machine import ConnectionKind, LoadLimitReading, Plan
+from coupling_design.machine.words import ConnectionKind, LoadLimitReading, Plan
 from coupling_design.steps.bearing_load import limit_bearing_load
 from coupling_design.steps.so_far import AllowedType
 from coupling_design.steps.step_result import Decision

@@ -3,7 +3,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.steps.high_stiffness_plan import plan_high_stiffness
 from coupling_design.steps.present import present_candidate
 from coupling_design.steps.so_far import AllowedType

@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.machine.words import LoadLimitReading
 from coupling_design.parts.bearing.contact_stress import strict_transmission_force
 from coupling_design.parts.criterion import Sense
 from coupling_design.steps.limits import (

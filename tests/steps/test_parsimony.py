@@ -3,7 +3,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.search.optimum import Optimum
 from coupling_design.search.program import Objective
 from coupling_design.steps.parsimony import (

@@ -136,7 +136,7 @@ def test_sigma_per_radian_makes_the_gap_push_back(shipped):
 
 @pytest.mark.slow
 def test_the_resolved_contact_is_resolved(shipped):
-    own = contact.at_half(shipped, shipped.joint.contact_stiffness)
+    own = contact.at_half(shipped, shipped.hub_seat.contact_stiffness)
 
     assert own.is_resolved
     assert own.change > 0

@@ -11,7 +11,7 @@ from coupling_design.checks.warnings import (
     weight_above_limit,
 )
 from coupling_design.flow.design import run_design
-from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.machine.words import LoadLimitReading
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import pytest
 
 from coupling_design.flow.design import run_design
 from coupling_design.machine.candidate import Candidate
-from coupling_design.machine.machine import ConnectionKind
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.steps.limits import load_constraints, survival_constraints
 from coupling_design.steps.so_far import connection_option
 from coupling_design.wear.evaluator import Evaluator

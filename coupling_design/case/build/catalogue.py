@@ -27,7 +27,9 @@ from coupling_design.case.text.file import decode, read_bytes
 from coupling_design.case.values.kinds import PositiveTorque
 from coupling_design.errors import CaseError
 from coupling_design.machine.coupling_size import CatalogueFile, CouplingSize
-from coupling_design.machine.machine import CouplingType, Source, SourcedValue
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.sourced_value import SourcedValue
+from coupling_design.machine.words import Source
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,8 @@ from coupling_design.case.schema.machine import CaseSection, DrivelineSection
 from coupling_design.case.values.stated import Stated
 from coupling_design.engine import first_crank_mode
 from coupling_design.line.parameters import ExcitationOrder
-from coupling_design.machine.machine import Duty, ShortCircuit, SourcedValue
+from coupling_design.machine.duty import Duty, ShortCircuit
+from coupling_design.machine.sourced_value import SourcedValue
 
 
 def build_duty(section: DutySection) -> Duty:

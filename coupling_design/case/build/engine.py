@@ -23,7 +23,8 @@ from coupling_design.engine import (
     firing_angles,
 )
 from coupling_design.line.parameters import ExcitationOrder
-from coupling_design.machine.machine import Source, SourcedValue
+from coupling_design.machine.sourced_value import SourcedValue
+from coupling_design.machine.words import Source
 
 CRANKCASE_PRESSURE = 1e5  # unless given: the atmosphere's [Pa]
 THRESHOLD = 0.01  # unless given: share of the largest order

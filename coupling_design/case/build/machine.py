@@ -34,14 +34,11 @@ from coupling_design.line.parameters import (
     ExcitationOrder,
     Resistance,
 )
-from coupling_design.machine.machine import (
-    Case,
-    ConnectionKind,
-    ConnectionOption,
-    CouplingType,
-    Joint,
-    SourcedValue,
-)
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.hub_seat import ConnectionOption, HubSeat
+from coupling_design.machine.machine import Case
+from coupling_design.machine.sourced_value import SourcedValue
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.parts.bearing.parameters import (
     Bearing,
     Contact,
@@ -62,15 +59,15 @@ def build_case(
     coupling_types = _coupling_types(section, catalogues, connections)
     excitation, derived = _excitation(section.driveline, file)
     working, also_derived = working_excitation(section, file)
-    joint = _joint(section.driveline.connection)
+    seat = _hub_seat(section.driveline.connection)
     return Case(
         name=section.name,
         description=section.description,
         file=file,
         sha256=sha256,
         reading=section.reading.value,
-        driveline=_driveline(section.driveline, coupling_types, joint, excitation),
-        joint=joint,
+        driveline=_driveline(section.driveline, coupling_types, seat, excitation),
+        hub_seat=seat,
         present_coupling_type=section.driveline.coupling.type,
         present_connection=section.driveline.connection.kind.value,
         shutdown=build_shutdown(section.shutdown, section.driveline),
@@ -133,7 +130,7 @@ def _lubrication(section: LubricationSection) -> Lubrication:
 def _driveline(
     section: DrivelineSection,
     coupling_types: tuple[CouplingType, ...],
-    joint: Joint,
+    seat: HubSeat,
     excitation: tuple[ExcitationOrder, ...],
 ) -> Driveline:
     present = section.coupling.type
@@ -146,7 +143,7 @@ def _driveline(
             torsional_stiffness=section.coupling.torsional_stiffness.value,
             damping_law=damping_law,
         ),
-        connection=_present_connection(section.connection, joint),
+        connection=_present_connection(section.connection, seat),
         excitation=excitation,
         engine_resistance=Resistance(**section.engine_resistance.model_dump()),
         generator_resistance=Resistance(**section.generator_resistance.model_dump()),
@@ -165,13 +162,13 @@ def _excitation(
     )
 
 
-def _present_connection(section: PresentConnection, joint: Joint) -> Connection:
+def _present_connection(section: PresentConnection, seat: HubSeat) -> Connection:
     gap = section.gap.value if section.gap else 0.0
-    return joint.connect(section.kind.value, gap)
+    return seat.connect(section.kind.value, gap)
 
 
-def _joint(section: PresentConnection) -> Joint:
-    return Joint(**section.model_dump(exclude={"kind", "gap"}))
+def _hub_seat(section: PresentConnection) -> HubSeat:
+    return HubSeat(**section.model_dump(exclude={"kind", "gap"}))
 
 
 def _coupling_type(section: CouplingTypeSection) -> CouplingType:

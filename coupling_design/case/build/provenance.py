@@ -11,7 +11,7 @@ from coupling_design.case.text.document import Document
 from coupling_design.case.text.fault import Path, dotted
 from coupling_design.case.values.quantity import Kind
 from coupling_design.case.values.stated import Stated
-from coupling_design.machine.machine import SourcedValue
+from coupling_design.machine.sourced_value import SourcedValue
 
 
 def list_provenance(section: BaseModel, document: Document) -> tuple[SourcedValue, ...]:

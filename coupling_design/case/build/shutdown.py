@@ -13,7 +13,7 @@ from coupling_design.line.parameters import (
     Shutdown,
     Start,
 )
-from coupling_design.machine.machine import StartWord
+from coupling_design.machine.words import StartWord
 
 
 def build_shutdown(section: ShutdownSection, driveline: DrivelineSection) -> Shutdown:

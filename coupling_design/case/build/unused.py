@@ -12,7 +12,8 @@ from coupling_design.case.schema.engine import (
     WorkingEngineExcitation,
 )
 from coupling_design.case.schema.machine import CaseSection
-from coupling_design.machine.machine import ConnectionKind, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.words import ConnectionKind
 
 _FUEL = ("indicated_mean_pressure", "combustion", "pressure_trace")
 _MOTORED = "the engine is motored, its fuel is off"

@@ -9,7 +9,8 @@ from coupling_design.case.schema.machine import CaseSection
 from coupling_design.case.schema.single_values import Values, check_ordered
 from coupling_design.case.text.fault import Path, Problem, suggestion
 from coupling_design.case.values.kinds import Inertia, PositiveTorque, Stiffness
-from coupling_design.machine.machine import Choice, ConnectionKind, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.words import Choice, ConnectionKind
 
 _FILES: Path = ("catalogue",)
 _COUPLING: Path = ("driveline", "coupling")

@@ -8,7 +8,7 @@ from coupling_design.case.schema.machine import PresentConnection
 from coupling_design.case.schema.single_values import Values, check_between
 from coupling_design.case.text.fault import Path, Problem, suggestion
 from coupling_design.case.values.kinds import Gap, Stiffness
-from coupling_design.machine.machine import ConnectionKind
+from coupling_design.machine.words import ConnectionKind
 
 _CONNECTION: Path = ("driveline", "connection")
 _SPACE: Path = ("design_space", "connections")

@@ -37,7 +37,7 @@ from coupling_design.case.values.kinds import (
     Time,
 )
 from coupling_design.case.values.quantity import exceeds
-from coupling_design.machine.machine import LoadLimitReading
+from coupling_design.machine.words import LoadLimitReading
 from coupling_design.parts.bearing.life import RELIABILITY_FACTORS
 
 _MOST_STEPS = 10_000_000

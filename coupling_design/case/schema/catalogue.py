@@ -16,7 +16,7 @@ from coupling_design.case.values.kinds import (
 )
 from coupling_design.case.values.stated import Section, Stated
 from coupling_design.machine.coupling_size import CouplingKind
-from coupling_design.machine.machine import ConnectionKind, Plan, Source
+from coupling_design.machine.words import ConnectionKind, Plan, Source
 
 
 class SizeSection(Section):

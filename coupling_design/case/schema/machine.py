@@ -32,12 +32,7 @@ from coupling_design.case.values.kinds import (
     Viscosity,
 )
 from coupling_design.case.values.stated import Section, Stated
-from coupling_design.machine.machine import (
-    Choice,
-    ConnectionKind,
-    LoadLimitReading,
-    Plan,
-)
+from coupling_design.machine.words import Choice, ConnectionKind, LoadLimitReading, Plan
 from coupling_design.parts.bearing.parameters import BearingType, Cleanliness
 
 Text = Annotated[str, Field(min_length=1)]

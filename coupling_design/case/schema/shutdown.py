@@ -14,7 +14,7 @@ from coupling_design.case.values.kinds import (
     Time,
 )
 from coupling_design.case.values.stated import Section, Stated
-from coupling_design.machine.machine import StartWord
+from coupling_design.machine.words import StartWord
 
 
 class FuelCut(Section):

@@ -14,7 +14,7 @@ from pydantic import (
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
-from coupling_design.machine.machine import Source
+from coupling_design.machine.words import Source
 
 Value = TypeVar("Value")
 

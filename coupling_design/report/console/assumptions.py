@@ -10,7 +10,8 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
-from coupling_design.machine.machine import Case, SourcedValue
+from coupling_design.machine.machine import Case
+from coupling_design.machine.sourced_value import SourcedValue
 from coupling_design.report.console.blocks import panel
 
 _INTRODUCTION = "By section of the case file: value as written there, source, note."

@@ -9,7 +9,8 @@ from rich.panel import Panel
 from rich.text import Text
 
 from coupling_design.flow.outcome import ChosenDesign, DesignOutcome
-from coupling_design.machine.machine import Case, CouplingType
+from coupling_design.machine.coupling_type import CouplingType
+from coupling_design.machine.machine import Case
 from coupling_design.report.console.blocks import facts, panel
 from coupling_design.report.console.limits import render_criteria
 from coupling_design.report.console.performances import (

@@ -9,7 +9,8 @@ from rich.text import Text
 
 from coupling_design import __version__
 from coupling_design.flow.outcome import DesignOutcome
-from coupling_design.machine.machine import Case, LoadLimitReading
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import LoadLimitReading
 from coupling_design.report.console.blocks import bullets, facts, panel, titled
 from coupling_design.report.words.units import as_given
 from coupling_design.report.words.verdicts import render_verdict

@@ -10,7 +10,8 @@ from rich.table import Table
 from rich.text import Text
 
 from coupling_design.flow.speed_map import CouplingSpeeds, ForbiddenBand, SpeedMap
-from coupling_design.machine.machine import Case, Plan
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import Plan
 from coupling_design.report.console.blocks import bullets, facts, panel, table, titled
 from coupling_design.report.words.names import verdict, words
 from coupling_design.report.words.numbers import percent, significant

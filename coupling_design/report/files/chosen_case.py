@@ -16,7 +16,8 @@ from coupling_design.flow.outcome import ChosenDesign, DesignOutcome
 from coupling_design.line.parameters import Driveline
 from coupling_design.machine.candidate import Candidate, candidate_driveline
 from coupling_design.machine.coupling_size import CouplingSize
-from coupling_design.machine.machine import Case, ConnectionKind
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.steps.so_far import connection_option
 
 _DRIVELINE = "driveline"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from coupling_design.flow.speed_map import CouplingSpeeds, SpeedMap
-from coupling_design.machine.machine import Plan
+from coupling_design.machine.words import Plan
 from coupling_design.report.page.figure import (
     BLACK,
     GREY,

@@ -8,7 +8,8 @@ from itertools import groupby
 
 from coupling_design.flow.outcome import DesignOutcome
 from coupling_design.flow.speed_map import CouplingSpeeds
-from coupling_design.machine.machine import Case, SourcedValue
+from coupling_design.machine.machine import Case
+from coupling_design.machine.sourced_value import SourcedValue
 from coupling_design.parts.criterion import Criterion
 from coupling_design.report.console.assumptions import section_of, section_title
 from coupling_design.report.console.maps import spread
