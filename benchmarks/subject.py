@@ -13,6 +13,7 @@ import numpy as np
 from benchmarks.scale import CASE
 from coupling_design.arithmetic import FloatArray
 from coupling_design.case import Case, ConnectionKind, load_case
+from coupling_design.events.shutdown import RunDown
 from coupling_design.line.parameters import (
     KeyedConnection,
     ProportionalDamping,
@@ -66,7 +67,12 @@ class Subject:
     @cached_property
     def step(self) -> ca.Function:
         """(joint state, point) -> joint state."""
-        return joint_step(self._driveline, self.case, self.time_step, self._point)
+        return joint_step(
+            RunDown(self._driveline, self.case.shutdown),
+            self.case,
+            self._point,
+            self.time_step,
+        )
 
     @cached_property
     def joint_step(self) -> ca.Function:
@@ -95,7 +101,7 @@ class Subject:
         columns = np.array(points).T
         speed = speed or self.case.shutdown.initial_speed
         shutdown = replace(self.case.shutdown, initial_speed=speed)
-        start = joint_start(self._driveline, shutdown, self._point)
+        start = joint_start(RunDown(self._driveline, shutdown), self._point)
         both = [start(point) for point in columns.T]
         return Batch(
             columns,

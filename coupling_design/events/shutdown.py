@@ -10,6 +10,8 @@ Sources
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import casadi as ca
 import numpy as np
 
@@ -28,6 +30,47 @@ from coupling_design.line.parameters import (
 )
 
 _TIME = "time"
+
+
+@dataclass(frozen=True)
+class RunDown:
+    """A shutdown of a line: the first kind of `event.Event`."""
+
+    driveline: Driveline
+    shutdown: Shutdown
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """The driveline's, then the time [s] where the fuel goes over one."""
+        return run_down_state_names(self.driveline, self.shutdown)
+
+    @property
+    def time_step(self) -> float:
+        """The time step [s]."""
+        return self.shutdown.time_step
+
+    @property
+    def n_steps(self) -> int:
+        """The number of steps."""
+        return self.shutdown.n_steps
+
+    @property
+    def crank_angle(self) -> Scalar:
+        """The crank angle when the fuel goes off [rad]."""
+        return self.shutdown.crank_angle
+
+    @property
+    def gravity_angle(self) -> Scalar:
+        """The angle to gravity when the fuel goes off [rad]."""
+        return self.shutdown.gravity_angle
+
+    def motion(self, state: Scalar) -> Motion:
+        """Return the motion at a state of the run-down."""
+        return run_down_motion(self.driveline, self.shutdown, state)
+
+    def start(self) -> Scalar:
+        """Return the state at t = 0 (n_states,), joints closed."""
+        return closed_start(self.driveline, self.shutdown)
 
 
 def run_down_state_names(driveline: Driveline, shutdown: Shutdown) -> tuple[str, ...]:

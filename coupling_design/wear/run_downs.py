@@ -12,6 +12,7 @@ import numpy as np
 from coupling_design.arithmetic import FloatArray
 from coupling_design.errors import SimulationError
 from coupling_design.events.recording import history_of
+from coupling_design.events.shutdown import RunDown
 from coupling_design.events.start import StartingStates
 from coupling_design.lanes.march import start_compiling
 from coupling_design.line.motion import inertias
@@ -103,7 +104,7 @@ class RunDowns:
             crank_angle=float(values[CRANK_ANGLE]),
             gravity_angle=float(values[GRAVITY_ANGLE]),
         )
-        return history_of(driveline, shutdown, states)
+        return history_of(RunDown(driveline, shutdown), states)
 
     def divergence(
         self, starts: FloatArray, columns: FloatArray, totals: FloatArray
@@ -142,9 +143,7 @@ class RunDowns:
     def step(self) -> ca.Function:
         """(joint state, variables) -> joint state one time step later."""
         mine = self.variables
-        return joint_step(
-            mine.driveline, self.case, self.time_step, mine.symbols, mine.shutdown
-        )
+        return joint_step(mine.event, self.case, mine.symbols, self.time_step)
 
     @cached_property
     def march(self) -> Marcher:

@@ -14,6 +14,8 @@ import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray
+from coupling_design.events.event import Event
+from coupling_design.events.shutdown import RunDown
 from coupling_design.line.parameters import Driveline, KeyedConnection, Shutdown
 from coupling_design.machine.candidate import Candidate, candidate_driveline
 from coupling_design.machine.machine import Case
@@ -39,6 +41,11 @@ class Variables:
     driveline: Driveline
     shutdown: Shutdown
     nominal: tuple[float, ...]
+
+    @property
+    def event(self) -> Event:
+        """What happens to the line, of these symbols."""
+        return RunDown(self.driveline, self.shutdown)
 
     @property
     def contact_stiffness(self) -> int | None:

@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from coupling_design.arithmetic import FloatArray, Scalar, where
+from coupling_design.events.shutdown import RunDown
 from coupling_design.line.damping import coupling_damping
 from coupling_design.line.motion import motion, reduced_inertia, state_names
 from coupling_design.line.parameters import (
@@ -190,7 +191,7 @@ def _machinery(
         crank_angle=p[_CRANK],
         gravity_angle=p[_GRAVITY],
     )
-    begin = joint_start(line, shutdown, p)(p)[0]
+    begin = joint_start(RunDown(line, shutdown), p)(p)[0]
     start = ca.Function("start", [p], [ca.vertcat(begin, ca.SX(len(EXTRAS), 1))])
     step = _step(line, case, case.shutdown.time_step / refinement, p, shutdown)
     return start, fastest_marcher(step, case.shutdown.n_steps * refinement)
@@ -234,7 +235,7 @@ def _step(
     line: Driveline, case: Case, time_step: float, p: ca.SX, shutdown: Shutdown
 ) -> ca.Function:
     """Return the joint step with EXTRAS carried along."""
-    plain = joint_step(line, case, time_step, p, shutdown)
+    plain = joint_step(RunDown(line, shutdown), case, p, time_step)
     n, n_motion = plain.size1_in(0), len(state_names(line))
     state = ca.SX.sym("state", n + len(EXTRAS))
     now = motion(line, state[:n_motion])
