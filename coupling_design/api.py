@@ -68,7 +68,7 @@ def design(
 
     Examples
     --------
-    >>> outcome = design(load("tests/design/quick.yaml"))
+    >>> outcome = design(load("tests/fixtures/quick.yaml"))
     >>> outcome.chosen.coupling_type
     'disc pack'
     """
@@ -108,7 +108,7 @@ def simulate(
 
     Examples
     --------
-    >>> run = simulate(load("tests/design/quick.yaml"), stiffness="0.5x")
+    >>> run = simulate(load("tests/fixtures/quick.yaml"), stiffness="0.5x")
     >>> run.performance.torsional_stiffness
     1000.0
     >>> run.signals.values("transmission_force").shape
@@ -142,7 +142,7 @@ def sweep(
     Examples
     --------
     >>> grid = sweep(
-    ...     "tests/design/quick.yaml", {"stiffness": "0.5..2x:3", "gap": "0..0.2mm:2"}
+    ...     "tests/fixtures/quick.yaml", {"stiffness": "0.5..2x:3", "gap": "0..0.2mm:2"}
     ... )
     >>> dict(grid.sizes)
     {'stiffness': 3, 'gap': 2}
