@@ -43,8 +43,6 @@ class SpinUp:
         n = len(self.state_names) - 1
         moved = motion(self.driveline, state[:n], self.torque)
         power = self.torque * moved.engine_speed
-            np.vstack if isinstance(state, np.ndarray) else (lambda x: ca.vertcat(*x))
-        )
         return dataclasses.replace(moved, state_rate=joined(moved.state_rate, power))
 
     def start(self):
