@@ -18,7 +18,8 @@ from coupling_design.engine.parameters import Cylinder
 def piston_travel(angle: Scalar, cylinder: Cylinder) -> Scalar:
     """Return how far the piston is below top dead centre [m].
 
-    [1] eq. (2.5), s = a cos theta + sqrt(l^2 - a^2 sin^2 theta), as l + a - s.
+    [1] eq. (2.5), s = a cos theta + sqrt(l^2 - a^2 sin^2 theta), as l + a - s;
+    of the shape of `angle`.
     """
     theta, a, length = angle, cylinder.crank_radius, cylinder.rod_length
     s = a * cos(theta) + sqrt(length**2 - (a * sin(theta)) ** 2)
@@ -28,7 +29,7 @@ def piston_travel(angle: Scalar, cylinder: Cylinder) -> Scalar:
 def piston_lever(angle: Scalar, cylinder: Cylinder) -> Scalar:
     """Return d travel / d angle [m/rad]: the lever arm of a force on the piston.
 
-    The first derivative of [1] eq. (2.5).
+    The first derivative of [1] eq. (2.5), of the shape of `angle`.
     """
     theta, a, length = angle, cylinder.crank_radius, cylinder.rod_length
     rod_height = sqrt(length**2 - (a * sin(theta)) ** 2)
@@ -36,7 +37,10 @@ def piston_lever(angle: Scalar, cylinder: Cylinder) -> Scalar:
 
 
 def lever_slope(angle: Scalar, cylinder: Cylinder) -> Scalar:
-    """Return d^2 travel / d angle^2 [m/rad^2], the second derivative of eq. (2.5)."""
+    """Return d^2 travel / d angle^2 [m/rad^2], the second derivative of eq. (2.5).
+
+    It is of the shape of `angle`.
+    """
     theta, a, length = angle, cylinder.crank_radius, cylinder.rod_length
     rod_height = sqrt(length**2 - (a * sin(theta)) ** 2)
     sway = a**2 * sin(theta) * cos(theta)
@@ -44,6 +48,6 @@ def lever_slope(angle: Scalar, cylinder: Cylinder) -> Scalar:
 
 
 def cylinder_volume(angle: Scalar, cylinder: Cylinder) -> Scalar:
-    """Return the volume of the gas [m^3], [1] eq. (2.4)."""
+    """Return the volume of the gas [m^3], of the shape of `angle`, [1] eq. (2.4)."""
     travel = piston_travel(angle, cylinder)
     return cylinder.clearance_volume + cylinder.piston_area * travel

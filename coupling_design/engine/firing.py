@@ -58,8 +58,9 @@ class Arrangement:
 def firing_angles(arrangement: Arrangement, cycle: Cycle) -> tuple[float, ...]:
     """Return each cylinder's firing top dead centre [rad], in the order of `names`.
 
-    Angles count from the first firing of the order, within one cycle. Raises CaseError
-    if the order, the intervals or the throws contradict each other.
+    There are as many as cylinders (n_cylinders,). Angles count from the first firing of
+    the order, within one cycle. Raises CaseError if the order, the intervals or the
+    throws contradict each other.
     """
     _check_names(arrangement)
     order = arrangement.firing_order

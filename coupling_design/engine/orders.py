@@ -59,7 +59,7 @@ def engine_orders(
 
     T(theta) = mean + sum of amplitude sin(order theta + phase). An order survives if
     its amplitude exceeds `threshold` times that of the engine's largest order, which
-    may itself lie above `highest_order`.
+    may itself lie above `highest_order`. Amplitudes are in [N m], phases in [rad].
     """
     return tuple(
         TorqueOrder(row.order, row.amplitude, row.phase)
@@ -71,7 +71,10 @@ def engine_orders(
 def list_orders(
     engine: Engine, highest_order: float, threshold: float = 0.01
 ) -> tuple[OrderRow, ...]:
-    """Return every order up to the highest, those that cancel too."""
+    """Return every order up to the highest, those that cancel too.
+
+    A row for each 1 / turns, lowest first; `threshold` is that of `engine_orders` [-].
+    """
     phasors, in_step = _phasors(engine)
     amplitudes = np.abs(phasors)
     # What cancels leaves rounding of what does not: that is no order, however low
@@ -94,8 +97,9 @@ def list_orders(
 def cylinder_phasors(engine: Engine, fires: bool) -> ComplexArray:
     """Return amplitude exp(j phase) of one cylinder's orders, mean left out [N m].
 
-    Element k - 1 is the order k / turns. With c_k the complex Fourier coefficient,
-    2 Re(c_k e^{jx}) = A sin(x + phase) gives A e^{j phase} = 2 j c_k.
+    Of n cycle angles (n / 2 - 1,); element k - 1 is the order k / turns. With c_k the
+    complex Fourier coefficient, 2 Re(c_k e^{jx}) = A sin(x + phase) gives A e^{j phase}
+    = 2 j c_k.
     """
     torque = cylinder_torque(cycle_angles(engine.cycle), engine, fires)
     coefficients = np.fft.rfft(torque) / len(torque)

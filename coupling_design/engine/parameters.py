@@ -98,7 +98,10 @@ class IndicatedCombustion:
 
 @dataclass(frozen=True)
 class PressureTrace:
-    """A measured cycle: crank angles from firing dead centre [rad], pressures [Pa]."""
+    """A measured cycle: crank angles from firing dead centre [rad], pressures [Pa].
+
+    Both are (n_points,).
+    """
 
     angles: tuple[float, ...]
     pressures: tuple[float, ...]
@@ -113,7 +116,8 @@ class Engine:
 
     Attributes
     ----------
-    firing_angles : crank angle of each cylinder's firing top dead centre [rad]
+    firing_angles : crank angle of each cylinder's firing top dead centre
+        (n_cylinders,) [rad]
     combustion : None while the engine is motored, fuel off
     misfiring : indices of cylinders that compress but do not fire
     reference_speed : at which the inertia torque is worked out [rad/s]

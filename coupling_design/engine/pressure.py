@@ -45,7 +45,8 @@ SAMPLES_PER_TURN = 3600
 def cycle_angles(cycle: Cycle) -> FloatArray:
     """Return equally spaced cycle angles from 0 to the cycle's end, 0.1 degrees apart.
 
-    Sums over them integrate periodic functions: trapezoidal rule without its ends.
+    They are (turns SAMPLES_PER_TURN,) [rad]. Sums over them integrate periodic
+    functions: trapezoidal rule without its ends.
     """
     samples = SAMPLES_PER_TURN * cycle.turns
     return np.arange(samples, dtype=np.float64) * (cycle.angle / samples)
@@ -57,7 +58,7 @@ def motored_pressure(
     """Return the pressure without combustion [Pa].
 
     Polytropic: p V^n is constant in compression and in expansion ([2] section 2.3
-    measures n so), each with its exponent.
+    measures n so), each with its exponent. It is of the shape of `angle`.
     """
     phi = _from_firing(angle, cycle)
     p0 = charge.intake_pressure
@@ -76,7 +77,8 @@ def burnt_fraction(
 ) -> FloatArray:
     """Return the fraction of the fuel burnt [-], Wiebe's function, [2] eq. (9.30).
 
-    x_b = 1 - exp(-a ((theta - theta_0) / duration)^(m + 1)) in the closed part.
+    x_b = 1 - exp(-a ((theta - theta_0) / duration)^(m + 1)) in the closed part, of the
+    shape of `angle`.
     """
     phi = _from_firing(angle, cycle)
     a, m = BURNT_AFTER_DURATION, combustion.shape
@@ -99,7 +101,10 @@ def pressure_rise(engine: Engine, combustion: IndicatedCombustion) -> float:
 
 
 def mean_pressure(pressures: FloatArray, engine: Engine) -> float:
-    """Return the indicated mean pressure [Pa] of pressures at the `cycle_angles`."""
+    """Return the indicated mean pressure [Pa] of pressures at the `cycle_angles`.
+
+    The pressures are (n_angles,) [Pa], the mean is one number.
+    """
     angles = cycle_angles(engine.cycle)
     lever = piston_lever(angles, engine.cylinder)
     step = engine.cycle.angle / len(angles)
@@ -107,7 +112,10 @@ def mean_pressure(pressures: FloatArray, engine: Engine) -> float:
 
 
 def cylinder_pressure(angle: FloatArray, engine: Engine, fires: bool) -> FloatArray:
-    """Return the pressure in a cylinder that fires, or is motored [Pa]."""
+    """Return the pressure in a cylinder that fires, or is motored [Pa].
+
+    It is of the shape of `angle`.
+    """
     match engine.combustion if fires else None:
         case PressureTrace(angles, pressures):
             turn = engine.cycle.angle

@@ -24,7 +24,8 @@ def gas_torque(
 ) -> Scalar:
     """Return the torque of the gas [N m]: by virtual work, (p - p_crankcase) dV/dtheta.
 
-    [1]: piston force times piston speed over crank speed; exact, no small rod ratio.
+    [1]: piston force times piston speed over crank speed; exact, no small rod ratio. It
+    is of the shape of its arguments.
     """
     force = (pressure - crankcase_pressure) * cylinder.piston_area
     return force * piston_lever(angle, cylinder)
@@ -35,6 +36,7 @@ def inertia_torque(angle: Scalar, cylinder: Cylinder, speed: Scalar) -> Scalar:
 
     [1]: T = -m x'' x' omega^2, primes to the crank angle; the book goes on to
     1/2 m r^2 omega^2 (r/2l sin - sin 2 - 3r/2l sin 3), small r/l, which this is not.
+    It is of the shape of its arguments.
     """
     m, omega = cylinder.reciprocating_mass, speed
     lever = piston_lever(angle, cylinder)
@@ -42,7 +44,7 @@ def inertia_torque(angle: Scalar, cylinder: Cylinder, speed: Scalar) -> Scalar:
 
 
 def cylinder_torque(angle: FloatArray, engine: Engine, fires: bool) -> FloatArray:
-    """Return one cylinder's torque [N m] at its own cycle angles."""
+    """Return one cylinder's torque [N m] at its own cycle angles, of their shape."""
     pressure = cylinder_pressure(angle, engine, fires)
     crankcase = engine.charge.crankcase_pressure
     gas = gas_torque(angle, pressure, engine.cylinder, crankcase)
@@ -51,7 +53,10 @@ def cylinder_torque(angle: FloatArray, engine: Engine, fires: bool) -> FloatArra
 
 
 def engine_torque(angle: FloatArray, engine: Engine) -> FloatArray:
-    """Return the torque of all cylinders [N m] at crank angles [rad], mean included."""
+    """Return the torque of all cylinders [N m] at crank angles [rad], mean included.
+
+    It is of the shape of `angle`.
+    """
     total = np.zeros_like(np.asarray(angle, dtype=float))
     for index, firing in enumerate(engine.firing_angles):
         fires = index not in engine.misfiring

@@ -51,7 +51,10 @@ class HeldLine:
         )
 
     def crank(self) -> ca.Function:
-        """Return parameters -> the crank's mean position at t = 0 [rad], its slopes."""
+        """Return parameters -> the crank's mean position at t = 0 [rad], its slopes.
+
+        The position is (1,), its slopes (1, n_varied).
+        """
         speed = self._shutdown.initial_speed
         mean = quasi_steady_state(self._line, speed, self._fuel)
         return self._with_slopes(ca.SX(self._shutdown.crank_angle + mean[0]))
@@ -59,8 +62,9 @@ class HeldLine:
     def step(self, angle: float, speed: float) -> tuple[ca.Function, int]:
         """Return (state, parameters and n zeros) -> state a step later, and its number.
 
-        The state is the held line's and the crank's mean position. So many steps make
-        the crank angle; none is longer than the shutdown's at `speed` [rad/s].
+        The state (n + 1,) is the held line's and the crank's mean position [rad]; the
+        parameters and zeros are (m + n,). So many steps make the crank angle; none is
+        longer than the shutdown's at `speed` [rad/s].
         """
         steps = max(math.ceil(angle / speed / self._shutdown.time_step - 1e-9), 1)
         h = angle / self._shutdown.initial_speed / steps
@@ -82,7 +86,7 @@ class HeldLine:
         """Return the march of these steps over a crank angle [rad].
 
         With slopes the derivatives to what is varied, then to the line's own start, lie
-        below the state.
+        below the state: (n + 1,) without, ((n + 1) (1 + n_varied + n),) with them.
         """
         step, steps = self.step(angle, speed)
         if not with_slopes:

@@ -24,7 +24,8 @@ from coupling_design.signals.history import History
 def simulate(driveline: Driveline, shutdown: Shutdown) -> History:
     """Return the history of a run-down from the shutdown's own start and crank angle.
 
-    Raises SimulationError, saying when, if the rollout leaves finite numbers.
+    Its signals are (n_steps,). Raises SimulationError, saying when, if the rollout
+    leaves finite numbers.
     """
     return record_event(
         RunDown(driveline, shutdown), initial_state(driveline, shutdown)
@@ -34,7 +35,8 @@ def simulate(driveline: Driveline, shutdown: Shutdown) -> History:
 def record_event(event: Event, start: FloatArray) -> History:
     """Return the history of an event of numbers from a state (n_states, 1).
 
-    Raises SimulationError, saying when, if the rollout leaves finite numbers.
+    Its signals are (n_steps,). Raises SimulationError, saying when, if the rollout
+    leaves finite numbers.
     """
     state = ca.SX.sym("state", len(event.state_names))
     none = ca.SX.sym("parameters", 0)

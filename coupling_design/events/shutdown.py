@@ -65,7 +65,7 @@ class RunDown:
         return self.shutdown.gravity_angle
 
     def motion(self, state: Scalar) -> Motion:
-        """Return the motion at a state of the run-down."""
+        """Return the motion at a state (n_states,), or an array (n_states, n_steps)."""
         return run_down_motion(self.driveline, self.shutdown, state)
 
     def start(self) -> Scalar:
@@ -89,7 +89,8 @@ def fuel_torque(driveline: Driveline, shutdown: Shutdown) -> Scalar:
 def run_down_motion(driveline: Driveline, shutdown: Shutdown, state: Scalar) -> Motion:
     """Return the motion at a state of the run-down; see `dynamics.motion`.
 
-    Its `state_rate` has the entries of `run_down_state_names`.
+    The state is (n_states,) or (n_states, n_steps), and so is its `state_rate`, with
+    the entries of `run_down_state_names`.
     """
     tau = shutdown.fuel_cut_time
     if not tau:
@@ -117,7 +118,10 @@ def closed_start(driveline: Driveline, shutdown: Shutdown) -> Scalar:
 
 
 def quasi_turn(driveline: Driveline) -> list[float]:
-    """Return 1 for each angle of the driveline's state, 0 for each speed."""
+    """Return 1 for each angle of the driveline's state, 0 for each speed.
+
+    As many as the driveline has states (n_states,), the time not among them.
+    """
     n = len(inertias(driveline))
     return [1.0] * n + [0.0] * n
 

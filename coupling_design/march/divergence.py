@@ -13,7 +13,7 @@ def steps_to_divergence(
 ) -> int:
     """Return after how many steps a state is not finite, to a thousandth of n_steps.
 
-    At least n_steps if it stays finite.
+    At least n_steps if it stays finite. `state` is (n, 1), `parameters` (m, 1).
     """
     steps, chunk = 0, max(n_steps // 1000, 1)
     advance = march(step, chunk)

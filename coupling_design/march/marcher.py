@@ -37,12 +37,15 @@ class Marcher:
     def __call__(
         self, states: FloatArray, parameters: FloatArray, threads: int | None = None
     ) -> FloatArray:
-        """Return the states at the end."""
+        """Return the states at the end (n, b)."""
         return self.run(states, parameters, threads)
 
 
 def virtual_machine_marcher(step: ca.Function, n_steps: int) -> Marcher:
-    """Return a marcher on CasADi's virtual machine, one column after another."""
+    """Return a marcher on CasADi's virtual machine, one column after another.
+
+    Raises ValueError if there is not at least one step.
+    """
     function = march(step, n_steps)
 
     def one(column: tuple[FloatArray, FloatArray]) -> FloatArray:

@@ -16,7 +16,10 @@ from coupling_design.arithmetic import Scalar
 def rk4_step(
     rate: Callable[[Scalar], Scalar], state: Scalar, time_step: Scalar
 ) -> Scalar:
-    """Return the state one step later by the classical Runge-Kutta method, [1]."""
+    """Return the state one step later by the classical Runge-Kutta method, [1].
+
+    It is of the shape of `state`, and so is what `rate` returns.
+    """
     h, y = time_step, state
     k1 = rate(y)
     k2 = rate(y + h / 2 * k1)

@@ -42,5 +42,8 @@ def with_sensitivities(
 
 
 def join_sensitivities(state: Scalar, sensitivities: Scalar) -> Scalar:
-    """Return the state of a step made by `with_sensitivities`."""
+    """Return the state of a step made by `with_sensitivities`.
+
+    A state (n,) and sensitivities (n, n_varied) make ((1 + n_varied) n,).
+    """
     return ca.vertcat(state, ca.vec(sensitivities))

@@ -24,6 +24,11 @@ def march(step: ca.Function, n_steps: int) -> ca.Function:
     Returns
     -------
     function with the same ports; its memory does not grow with n_steps
+
+    Raises
+    ------
+    ValueError
+        If n_steps is less than 1.
     """
     if n_steps < 1:
         raise ValueError(f"a march needs at least one step, not {n_steps}")

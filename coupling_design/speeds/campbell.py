@@ -61,8 +61,8 @@ class CriticalSpeed:
 def natural_frequencies(driveline: Driveline) -> FloatArray:
     """Return all torsional natural frequencies, undamped, gap closed, ascending [Hz].
 
-    The rigid body's zero is left out. No order of speed enters the model's matrices,
-    so they are horizontal lines in the diagram.
+    The rigid body's zero is left out: (n_bodies - 1,). No order of speed enters the
+    model's matrices, so they are horizontal lines in the diagram.
     """
     return modes(driveline).angular_frequencies[1:] / (2 * math.pi)
 
@@ -70,7 +70,8 @@ def natural_frequencies(driveline: Driveline) -> FloatArray:
 def order_lines(driveline: Driveline, speeds: FloatArray) -> FloatArray:
     """Return the frequency of each order at each mean speed [rad/s], in [Hz].
 
-    A row per order of the excitation, a column per speed: f = i Omega / (2 pi), [1].
+    `speeds` (n_speeds,) give frequencies (n_orders, n_speeds): f = i Omega / (2 pi),
+    [1].
     """
     orders = np.array([o.order for o in driveline.excitation], dtype=float)
     return np.outer(orders, speeds) / (2 * math.pi)
@@ -81,7 +82,8 @@ def critical_speeds(
 ) -> tuple[CriticalSpeed, ...]:
     """Return where the orders meet the natural frequencies, slowest first, [1].
 
-    `working_speed` is the lowest and the highest [rad/s].
+    `working_speed` is the lowest and the highest [rad/s]. There is a speed for each
+    order and natural frequency (n_orders (n_bodies - 1),).
     """
     found = [
         _critical_speed(excitation.order, mode, float(frequency), working_speed)

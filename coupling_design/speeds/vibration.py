@@ -46,7 +46,10 @@ class SteadyVibration:
 
 @dataclass(frozen=True)
 class OperatingPoint:
-    """The steady vibration at one speed, named; units as in `SteadyVibration`."""
+    """The steady vibration at one speed, named; units as in `SteadyVibration`.
+
+    `vibratory_torque` is (n_orders,); all else are single numbers.
+    """
 
     name: str
     speed: float
@@ -63,7 +66,8 @@ def evaluate_vibration(
     """Return the steady vibration up to a speed, and at others on the way [rad/s].
 
     Name speeds near resonance in `also`, so that no peak falls between two points; the
-    range begins above zero, where a line free to turn has no steady vibration.
+    range begins above zero, where a line free to turn has no steady vibration. Shapes
+    are those of `SteadyVibration`, its speeds ascending and each there once.
     """
     even = np.linspace(0.0, highest_speed, _SPEEDS + 1)[1:]
     others = [speed for speed in also if 0.0 < speed < highest_speed]
@@ -87,7 +91,7 @@ def operating_points(
 ) -> tuple[OperatingPoint, ...]:
     """Return both ends of the working range [rad/s], the worst in it and of all.
 
-    The ends must be among the vibration's speeds.
+    These are four points. The ends must be among the vibration's speeds.
     """
     speeds, total = vibration.speeds, vibration.vibratory_torque_sum
     inside = (speeds >= working[0]) & (speeds <= working[1])

@@ -32,7 +32,7 @@ def contact_stress(load: Scalar, bearing: Bearing) -> Scalar:
 
     Returns
     -------
-    S : contact stress [Pa]
+    S : contact stress, of the shape of `load` [Pa]
 
     Notes
     -----

@@ -33,7 +33,7 @@ def revolutions(speed: Scalar, time_step: Scalar) -> Scalar:
 
     Returns
     -------
-    l : revolutions [-]
+    l : revolutions, of the shape of the arguments [-]
 
     Notes
     -----
@@ -67,12 +67,17 @@ def damage_increment(
 
     Returns
     -------
-    dD : l / L_p, one at the end of life [-]
+    dD : l / L_p, one at the end of life, of the shape of `load` and `speed` [-]
 
     Notes
     -----
     A term of [1] eq. (14), [2]; see `PAPER_UNIT`. [1] says that small loads may be
     neglected, yet its final D, all of small loads by its own limit, is not zero.
+
+    Raises
+    ------
+    KeyError
+        If the table of reliabilities has no such row.
     """
     L_p = modified_rating_life(load, speed, bearing, lubrication, reliability)
     increment = share_of_life(speed, time_step, L_p)
@@ -83,6 +88,8 @@ def damage_increment(
 
 def share_of_life(speed: Scalar, time_step: Scalar, life: Scalar) -> Scalar:
     """Return the share l / L_p of a life [revolutions] that one step takes [-].
+
+    It is of the shape of its arguments.
 
     Notes
     -----
@@ -118,6 +125,11 @@ def miner_damage(
     Notes
     -----
     [1] eq. (14), [2]; times `PAPER_UNIT` it is the D of [1].
+
+    Raises
+    ------
+    KeyError
+        If the table of reliabilities has no such row.
     """
     increments = damage_increment(
         np.asarray(loads, dtype=float),

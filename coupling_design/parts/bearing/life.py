@@ -67,7 +67,7 @@ def basic_rating_life(load: Scalar, bearing: Bearing) -> Scalar:
 
     Returns
     -------
-    L_10 : basic rating life [revolutions]
+    L_10 : basic rating life, of the shape of `load` [revolutions]
 
     Notes
     -----
@@ -119,7 +119,7 @@ def life_modification_factor(
 
     Returns
     -------
-    a_ISO : life modification factor, at most 50 [-]
+    a_ISO : life modification factor, at most 50, of the shape of the arguments [-]
 
     Notes
     -----
@@ -185,11 +185,17 @@ def modified_rating_life(
 
     Returns
     -------
-    L_p : modified rating life, L_nm in [1] [revolutions]
+    L_p : modified rating life, L_nm in [1], of the shape of `load` and `speed`
+        [revolutions]
 
     Notes
     -----
     [1] clause 9, [2] eq. (12).
+
+    Raises
+    ------
+    KeyError
+        If the table of reliabilities has no such row.
     """
     kappa = viscosity_ratio(lubrication.viscosity, speed, bearing)
     e_C = contamination_factor(kappa, bearing.pitch_diameter, lubrication.cleanliness)
@@ -202,9 +208,16 @@ def modified_life(
 ) -> Scalar:
     """Return L_p [revolutions] of a_ISO and L_10: `modified_rating_life` in its parts.
 
+    It is of the shape of a_ISO and L_10.
+
     Notes
     -----
     [1] clause 9, [2] eq. (12).
+
+    Raises
+    ------
+    KeyError
+        If the table of reliabilities has no such row.
     """
     a_1, a_ISO = reliability_factor(reliability), life_modification_factor
     L_10 = basic_rating_life

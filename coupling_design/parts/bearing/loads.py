@@ -51,7 +51,8 @@ def rotational_loads(
 
     Returns
     -------
-    F_r1, F_r2 : rotational loads of bearings 1 and 2 [N]
+    F_r1, F_r2 : rotational loads of bearings 1 and 2, each of the shape of
+        `transmission_force` [N]
 
     Notes
     -----
@@ -83,7 +84,7 @@ def combined_load(
 
     Returns
     -------
-    F_l : combined load [N]
+    F_l : combined load, of the shape of the arguments [N]
 
     Notes
     -----

@@ -71,7 +71,7 @@ def reference_viscosity(speed: Scalar, bearing: Bearing) -> Scalar:
 
     Returns
     -------
-    nu_1 : reference kinematic viscosity [m^2/s]
+    nu_1 : reference kinematic viscosity, of the shape of `speed` [m^2/s]
 
     Notes
     -----
@@ -102,7 +102,7 @@ def unclamped_viscosity_ratio(
 
     Returns
     -------
-    kappa : nu / nu_1 [-]
+    kappa : nu / nu_1, of the shape of the arguments [-]
 
     Notes
     -----
@@ -124,7 +124,7 @@ def viscosity_ratio(viscosity: Scalar, speed: Scalar, bearing: Bearing) -> Scala
 
     Returns
     -------
-    kappa : nu / nu_1, at least 0.1 and at most 4 [-]
+    kappa : nu / nu_1, at least 0.1 and at most 4, of the shape of the arguments [-]
 
     Notes
     -----
@@ -150,7 +150,7 @@ def contamination_factor(
 
     Returns
     -------
-    e_C : contamination factor, 0 to 1 [-]
+    e_C : contamination factor, 0 to 1, of the shape of `viscosity_ratio` [-]
 
     Notes
     -----
@@ -181,7 +181,7 @@ def viscosity_at_temperature(
 
     Returns
     -------
-    nu : kinematic viscosity [m^2/s]
+    nu : kinematic viscosity, of the shape of `temperature` [m^2/s]
 
     Notes
     -----
