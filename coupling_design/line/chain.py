@@ -30,7 +30,10 @@ class Elastic:
     damping: Scalar
 
     def torque(self, twist: Scalar, twist_rate: Scalar) -> Scalar:
-        """Return the torque carried [N m] at a twist [rad] and its rate [rad/s]."""
+        """Return the torque carried [N m] at a twist [rad] and its rate [rad/s].
+
+        It is of the shape of its arguments.
+        """
         return self.stiffness * twist + self.damping * twist_rate
 
     def slope(self, _: Scalar) -> Scalar:
@@ -50,11 +53,17 @@ class Contact:
         return self.connection.oil_damping
 
     def torque(self, twist: Scalar, twist_rate: Scalar) -> Scalar:
-        """Return the torque carried [N m] at a twist [rad] and its rate [rad/s]."""
+        """Return the torque carried [N m] at a twist [rad] and its rate [rad/s].
+
+        It is of the shape of its arguments.
+        """
         return transmission_torque(twist, twist_rate, self.connection)
 
     def slope(self, contact_slope: Scalar) -> Scalar:
-        """Return the stiffness [N m/rad], gap closed, so many times as steep."""
+        """Return the stiffness [N m/rad], gap closed, so many times as steep.
+
+        It is of the shape of `contact_slope`.
+        """
         return contact_slope * self.connection.contact_stiffness
 
 
@@ -86,7 +95,10 @@ class Chain:
 
     @cached_property
     def bodies(self) -> tuple[tuple[int, ...], ...]:
-        """The inertias that turn as one, by their places, from the engine on."""
+        """The inertias that turn as one, by their places, from the engine on.
+
+        There are n_bodies, together of all n inertias.
+        """
         bodies = [[0]]
         for i, joint in enumerate(self.joints):
             if isinstance(joint, Rigid):
@@ -97,23 +109,25 @@ class Chain:
 
     @property
     def body_inertias(self) -> tuple[Scalar, ...]:
-        """The inertia of each body [kg m^2]."""
+        """The inertia of each body (n_bodies,) [kg m^2]."""
         return tuple(sum(self.inertias[i] for i in body) for body in self.bodies)
 
     @property
     def flexible(self) -> tuple[Elastic | Contact, ...]:
-        """The joints between the bodies."""
+        """The joints between the bodies (n_bodies - 1,)."""
         return tuple(joint for joint in self.joints if not isinstance(joint, Rigid))
 
 
 @dataclass(frozen=True)
 class ChainMotion:
-    """What a chain does at one instant.
+    """What a chain does at one instant, or at each of n_columns.
 
     Attributes
     ----------
-    state_rate : of the bodies' angles and speeds (2 n_bodies,)
-    joint_torques : carried by each joint, rigid ones too (n - 1,) [N m]
+    state_rate : of the bodies' angles and speeds, (2 n_bodies,) or
+        (2 n_bodies, n_columns) [rad/s], [rad/s^2]
+    joint_torques : carried by each joint, rigid ones too (n - 1,), each one value or
+        (n_columns,) [N m]
     """
 
     state_rate: Scalar
@@ -137,6 +151,7 @@ def chain_motion(
 ) -> ChainMotion:
     """Return the motion at a state, [1]; see `unfold` for the state.
 
+    A state (2 n_bodies,) or (2 n_bodies, n_columns) has a rate of the same shape.
     `outer_torques` (n,) act from outside on each inertia, in the direction of its
     speed [N m].
     """

@@ -21,7 +21,10 @@ SHARP = 100.0
 
 
 def half_gap_angle(connection: KeyedConnection) -> Scalar:
-    """Return b = Phi / (2 r), the angle from the middle of the gap to contact [rad]."""
+    """Return b = Phi / (2 r), the angle from the middle of the gap to contact [rad].
+
+    It is of the shape of the connection's values.
+    """
     Phi, r = connection.gap, connection.radius
     return Phi / (2 * r)
 
@@ -30,6 +33,7 @@ def sharpness(connection: KeyedConnection) -> Scalar:
     """Return s b [-], half the gap over the width its edge is smoothed over.
 
     Below about `SHARP` the smoothing is a property of the machine, not of the solver.
+    It is of the shape of the connection's values.
     """
     return connection.smoothing * connection.radius * half_gap_angle(connection)
 
@@ -40,6 +44,7 @@ def contact_deflection(twist: Scalar, connection: KeyedConnection) -> Scalar:
     [1] eq. (3), [2]: zero inside the gap, x -+ b outside, smoothed over a width 1/s.
     With no gap f(x) = x exactly, whatever the smoothing. Within about 1/s inside the
     edge f dips by up to 0.139/s: the price of the smoothing, small while s b >= 100.
+    It is of the shape of `twist`.
     """
     x = twist
     b = half_gap_angle(connection)
@@ -48,7 +53,10 @@ def contact_deflection(twist: Scalar, connection: KeyedConnection) -> Scalar:
 
 
 def contact_slope(twist: Scalar, connection: KeyedConnection) -> Scalar:
-    """Return f'(x) [-], the derivative of `contact_deflection` in the twist [rad]."""
+    """Return f'(x) [-], the derivative of `contact_deflection` in the twist [rad].
+
+    It is of the shape of `twist`.
+    """
     x = twist
     b = half_gap_angle(connection)
     s = connection.smoothing * connection.radius
@@ -64,7 +72,7 @@ def transmission_torque(
     """Return r F_c, the torque through the key [N m].
 
     [1] eqs. (2), (3): r F_c = k_g f(x) + c x', with x = theta_2 - theta_3 [rad]; the
-    oil's drag c x' acts inside the gap too.
+    oil's drag c x' acts inside the gap too. It is of the shape of its arguments.
     """
     k_g, c = connection.contact_stiffness, connection.oil_damping
     return k_g * contact_deflection(twist, connection) + c * twist_rate

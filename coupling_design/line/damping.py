@@ -22,6 +22,8 @@ from coupling_design.line.parameters import (
 def coupling_damping(coupling: Coupling, reduced_inertia: Scalar) -> Scalar:
     """Return the viscous damping of the coupling [N m s/rad].
 
+    It is of the shape of its arguments.
+
     Parameters
     ----------
     coupling : stiffness [N m/rad] and damping law

@@ -18,7 +18,10 @@ from coupling_design.line.torques import resistance_torque
 
 
 def all_resistances(driveline: Driveline, speed: Scalar) -> Scalar:
-    """Return what brakes both shafts together at a speed [rad/s], in [N m]."""
+    """Return what brakes both shafts together at a speed [rad/s], in [N m].
+
+    It is of the shape of `speed`.
+    """
     return resistance_torque(speed, driveline.engine_resistance) + resistance_torque(
         speed, driveline.generator_resistance
     )

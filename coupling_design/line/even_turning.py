@@ -63,7 +63,10 @@ def _twist(joint: Elastic | Contact, torque: Scalar) -> Scalar:
 
 
 def contact_twist(torque: Scalar, connection: KeyedConnection) -> Scalar:
-    """Return the twist x [rad] at which a key carries `torque` [N m] at rest."""
+    """Return the twist x [rad] at which a key carries `torque` [N m] at rest.
+
+    It is of the shape of `torque`.
+    """
     pressed = torque / connection.contact_stiffness
     twist = pressed + half_gap_angle(connection) * sign(torque)
     for _ in range(_NEWTON_STEPS):

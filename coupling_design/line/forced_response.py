@@ -48,8 +48,8 @@ class ForcedResponse:
     """Complex amplitudes q of each order i at each mean speed Omega.
 
     An angle or torque fluctuates as Im(q exp(j w t)) with w = i Omega; |q| is its
-    amplitude, half its peak-to-peak. All but orders and speeds have a row per order,
-    a column per speed.
+    amplitude, half its peak-to-peak. All but orders and speeds are
+    (n_orders, n_speeds): a row per order, a column per speed.
 
     Attributes
     ----------
@@ -73,6 +73,9 @@ def forced_response(
     driveline: Driveline, speeds: FloatArray, *, per_cycle: bool = False
 ) -> ForcedResponse:
     """Return the steady vibration at mean speeds above zero [rad/s].
+
+    `speeds` (n_speeds,) give amplitudes (n_orders, n_speeds), see `ForcedResponse`.
+    Raises ValueError if a speed is not above zero.
 
     `per_cycle` gives each order the damping that does the law's work per cycle at its
     own frequency, as [3] means it; without it damping is viscous, as in a run-down.
@@ -106,7 +109,8 @@ def forced_response(
 def vibratory_torque(driveline: Driveline, speeds: FloatArray) -> FloatArray:
     """Return T_W, the amplitude of the torque in the elastic coupling [N m].
 
-    A row per order of the excitation, a column per mean speed [rad/s]. [3].
+    Mean speeds (n_speeds,) above zero [rad/s] give (n_orders, n_speeds), [3]. Raises
+    ValueError if a speed is not above zero.
     """
     return np.abs(forced_response(driveline, speeds).coupling_torque)
 
@@ -115,6 +119,7 @@ def power_loss(driveline: Driveline, speeds: FloatArray) -> FloatArray:
     """Return the heat in the coupling at each mean speed [rad/s], all orders, in [W].
 
     Over a revolution different orders do no work on each other: their heats add up.
+    `speeds` (n_speeds,) give (n_speeds,). Raises ValueError if one is not above zero.
     """
     loss: FloatArray = forced_response(driveline, speeds).power_loss.sum(axis=0)
     return loss

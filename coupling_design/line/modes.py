@@ -58,7 +58,7 @@ def mass_matrix(driveline: Driveline) -> Scalar:
 
 
 def stiffness_matrix(driveline: Driveline, contact_slope: Scalar = 1.0) -> Scalar:
-    """Return the stiffness matrix with the gap closed [N m/rad].
+    """Return the stiffness matrix (n_bodies, n_bodies), gap closed [N m/rad].
 
     `contact_slope` multiplies the contact stiffness: 1 on the flank of the key.
     """
@@ -66,14 +66,20 @@ def stiffness_matrix(driveline: Driveline, contact_slope: Scalar = 1.0) -> Scala
 
 
 def damping_matrix(driveline: Driveline) -> Scalar:
-    """Return the damping matrix [N m s/rad], resistances as steep as at standstill."""
+    """Return the damping matrix (n_bodies, n_bodies) [N m s/rad].
+
+    Resistances are as steep as at standstill.
+    """
     first = _resistance_slope(driveline.engine_resistance)
     last = _resistance_slope(driveline.generator_resistance)
     return chain_damping(chain_of(driveline), (first, 0.0, last))
 
 
 def modes(driveline: Driveline) -> Modes:
-    """Return all natural frequencies and mode shapes, undamped, with the gap closed."""
+    """Return all natural frequencies and mode shapes, undamped, with the gap closed.
+
+    Frequencies are (n_bodies,) [rad/s], shapes (n_bodies, n_bodies) [-].
+    """
     # The masses are a diagonal: K v = omega^2 M v is symmetric in M^(1/2) v.
     roots = np.sqrt(mass_matrix(driveline).diagonal())
     scaled = stiffness_matrix(driveline) / np.outer(roots, roots)

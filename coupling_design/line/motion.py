@@ -35,11 +35,14 @@ TIGHT_STATE = ("engine_angle", "generator_angle", "engine_speed", "generator_spe
 
 @dataclass(frozen=True)
 class Motion:
-    """What the driveline does at one instant.
+    """What the driveline does at one instant, or at each of n_columns.
+
+    All but `state_rate` are one value each, or (n_columns,).
 
     Attributes
     ----------
-    state_rate : time derivative of the state, in the order of `state_names`
+    state_rate : time derivative of the state, in the order of `state_names`,
+        (n_states,) or (n_states, n_columns) [rad/s], [rad/s^2]
     transmission_force : F_c, tangential at the connection's radius [N]
     coupling_torque : through the elastic part of the coupling [N m]
     engine_torque : from outside on the engine, excitation less resistance [N m]
@@ -57,14 +60,20 @@ class Motion:
 
 
 def state_names(driveline: Driveline) -> tuple[str, ...]:
-    """Return the names of the state's entries, angles [rad] before speeds [rad/s]."""
+    """Return the names of the state's entries, angles [rad] before speeds [rad/s].
+
+    They are (n_states,): 6 keyed, 4 tight.
+    """
     if isinstance(driveline.connection, KeyedConnection):
         return KEYED_STATE
     return TIGHT_STATE
 
 
 def chain_of(driveline: Driveline) -> Chain:
-    """Return engine side, coupling hub and generator with the joints between them."""
+    """Return engine side, coupling hub and generator with the joints between them.
+
+    Inertias are (3,) [kg m^2], joints (2,).
+    """
     coupling, connection = driveline.coupling, driveline.connection
     c_dyn = coupling_damping(coupling, reduced_inertia(driveline))
     seat = Contact(connection) if isinstance(connection, KeyedConnection) else Rigid()
@@ -98,11 +107,13 @@ def motion(
 ) -> Motion:
     """Return the motion at a state, [1] eq. (1).
 
+    Its `state_rate` is of the shape of `state`.
+
     Parameters
     ----------
     driveline : values or symbols
-    state : CasADi vector, or array with a column for each instant; its entries or rows
-        as `state_names` says
+    state : CasADi vector (n_states,), or array (n_states, n_columns) with a column for
+        each instant; its entries or rows as `state_names` says
     fuel_torque : that drives the engine besides the orders [N m]
     crank_angle : at which the orders push [rad]; the engine's own where not given
     """

@@ -101,7 +101,10 @@ class Resistance:
 
 @dataclass(frozen=True)
 class Driveline:
-    """Three inertias [kg m^2] and what joins, drives and brakes them."""
+    """Three inertias [kg m^2] and what joins, drives and brakes them.
+
+    `excitation` is (n_orders,).
+    """
 
     engine_inertia: Scalar
     coupling_inertia: Scalar
@@ -161,7 +164,7 @@ class Shutdown:
 
     @property
     def n_steps(self) -> int:
-        """Number of steps that cover the duration."""
+        """Number of steps that cover the duration [-]."""
         return round(self.duration / self.time_step)
 
     @property

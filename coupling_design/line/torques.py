@@ -16,7 +16,8 @@ from coupling_design.line.parameters import ExcitationOrder, Resistance
 def excitation_torque(angle: Scalar, orders: Iterable[ExcitationOrder]) -> Scalar:
     """Return the fluctuating engine torque T_e [N m] at a crank angle [rad].
 
-    [1] eq. (1): T_e = sum of T_i sin(i theta + phase_i); its mean is zero.
+    [1] eq. (1): T_e = sum of T_i sin(i theta + phase_i); its mean is zero. It is of the
+    shape of `angle`, or 0.0 where there are no orders.
     """
     theta = angle
     torque: Scalar = 0.0
@@ -30,7 +31,7 @@ def resistance_torque(speed: Scalar, resistance: Resistance) -> Scalar:
 
     Viscous c_t omega after [1] eq. (1), and dry friction T_f smoothed by
     tanh(omega / omega_t): at standstill it vanishes, so it cannot drive the shaft
-    backwards, and turned backwards it brakes again.
+    backwards, and turned backwards it brakes again. It is of the shape of `speed`.
     """
     omega = speed
     c_t = resistance.viscous

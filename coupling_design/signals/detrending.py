@@ -40,7 +40,10 @@ _AT_RESONANCE = 0.5
 
 @dataclass(frozen=True)
 class Detrended:
-    """A signal's trend and what fluctuates about it; their sum is the signal."""
+    """A signal's trend and what fluctuates about it; their sum is the signal.
+
+    Both are (n,), in the unit of the signal.
+    """
 
     trend: FloatArray
     fluctuation: FloatArray
@@ -106,6 +109,8 @@ def collision_force(
 ) -> Detrended:
     """Return the collision force [N] as the fluctuation of the transmission force.
 
+    Trend and fluctuation are (n_steps,).
+
     Parameters
     ----------
     history : of a run-down
@@ -129,6 +134,9 @@ def resonance_fluctuation(
     order: int = PARABOLA,
 ) -> ResonanceFluctuation:
     """Return how the engine's speed swings about its deceleration at resonance.
+
+    All are single numbers. Without a whole cycle, number and amplitude are zero, the
+    others NaN.
 
     Parameters
     ----------

@@ -33,7 +33,8 @@ class Swing:
 def largest_swing(history: History, angular_frequency: float) -> Swing:
     """Return the largest swing over one period of `angular_frequency` [rad/s].
 
-    The mean that the deceleration puts into the force does not count as swing.
+    The mean that the deceleration puts into the force does not count as swing. Of
+    signals (n_steps,) the swing is three single numbers.
     """
     step = history.time[1] - history.time[0]
     period = max(round(2 * math.pi / angular_frequency / step), 2)
