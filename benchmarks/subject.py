@@ -12,7 +12,7 @@ import numpy as np
 
 from benchmarks.scale import CASE
 from coupling_design.arithmetic import FloatArray
-from coupling_design.case import Case, ConnectionKind, load_case
+from coupling_design.case import load_case
 from coupling_design.events.shutdown import RunDown
 from coupling_design.line.parameters import (
     KeyedConnection,
@@ -20,6 +20,8 @@ from coupling_design.line.parameters import (
     QuasiSteadyStart,
 )
 from coupling_design.machine.candidate import Candidate, candidate_driveline
+from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind
 from coupling_design.march.sensitivities import (
     join_sensitivities,
     with_sensitivities,

@@ -7,11 +7,11 @@ import math
 
 import numpy as np
 
-from coupling_design.case import ConnectionKind, Plan
 from coupling_design.events.recording import simulate
 from coupling_design.line.motion import reduced_inertia
 from coupling_design.machine.candidate import Candidate
 from coupling_design.machine.machine import Case
+from coupling_design.machine.words import ConnectionKind, Plan
 from coupling_design.signals.history import History
 from coupling_design.steps.limits import high_frequency_constraint
 from coupling_design.steps.present import present_candidate

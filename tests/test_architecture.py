@@ -183,6 +183,46 @@ def long_functions(root):
     }
 
 
+def invented_entries(root):
+    """Return what a package's docstring calls as its entry and does not define."""
+    found = []
+    trees = modules(root)
+    for package in packages(root):
+        text = ast.get_docstring(trees[package]) or ""
+        defined = {
+            node.name
+            for name, tree in trees.items()
+            if name.startswith(package)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.FunctionDef | ast.ClassDef)
+        }
+        found += [f"{package}: {name}" for name in called(text) if name not in defined]
+    return sorted(found)
+
+
+def called(text):
+    """Return the names of the functions that the example lines of a docstring call."""
+    lines = [line[4:] for line in text.splitlines() if line.startswith(">>> ")]
+    return {
+        node.func.id
+        for line in lines
+        for node in ast.walk(ast.parse(line))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    }
+
+
+def test_every_room_says_its_entry():
+    trees = modules(ROOT)
+    silent = {
+        package
+        for package in packages(ROOT)
+        if ">>> " not in (ast.get_docstring(trees[package]) or "")
+    }
+    # The whole program, whose entry is the command, and a folder of packages alone.
+    assert silent == {PACKAGE, f"{PACKAGE}.parts"}
+    assert invented_entries(ROOT) == []
+
+
 def test_arrows_point_one_way():
     assert wrong_arrows(ROOT) == []
 
@@ -317,6 +357,11 @@ def test_a_cycle_is_found(plant):
         "coupling_design.line.modes",
         "coupling_design.line.rollout",
     }
+
+
+def test_an_invented_entry_is_found(plant):
+    root = plant("line/__init__.py", '"""Say.\n\n>>> natural(line)\n"""')
+    assert invented_entries(root) == ["coupling_design.line: natural"]
 
 
 def test_an_unknown_part_is_found(plant):

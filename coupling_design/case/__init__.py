@@ -1,13 +1,10 @@
-"""Case files: read, checked and turned into SI values."""
+"""What does a case file say? Read, checked and turned into SI values.
+
+>>> case = load_case("cases/16v280.yaml")
+
+Read `load`, which calls the rooms: `text` (a file as data), `values` (one value),
+`schema` (its shape), `edit` (other values), `rules` (what must hold between values),
+`build` (the machine). Knows nothing that runs.
+"""
 
 from coupling_design.case.load import load_case as load_case
-from coupling_design.machine.coupling_type import CouplingType as CouplingType
-from coupling_design.machine.duty import Duty as Duty
-from coupling_design.machine.hub_seat import ConnectionOption as ConnectionOption
-from coupling_design.machine.hub_seat import HubSeat as HubSeat
-from coupling_design.machine.machine import Case as Case
-from coupling_design.machine.sourced_value import SourcedValue as SourcedValue
-from coupling_design.machine.words import ConnectionKind as ConnectionKind
-from coupling_design.machine.words import LoadLimitReading as LoadLimitReading
-from coupling_design.machine.words import Plan as Plan
-from coupling_design.machine.words import Source as Source

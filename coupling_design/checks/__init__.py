@@ -1,6 +1,6 @@
-"""What can be said of a machine without rolling anything out?
+"""What is to be said of a machine and its coupling beside the damage?
 
->>> warnings_of(case)                             # doctest: +SKIP
+>>> case_warnings(case)                           # doctest: +SKIP
 
-Knows neither search nor steps.
+Rolls nothing out: a performance is given to it. Knows neither search nor steps.
 """

@@ -1,4 +1,9 @@
-"""What torque an engine puts on its crankshaft: cylinder, cycle, firing, orders."""
+"""What torque an engine puts on its crankshaft: cylinder, cycle, firing, orders.
+
+>>> orders = engine_orders(engine, highest_order=8)  # doctest: +SKIP
+
+Knows nothing of drivelines or files.
+"""
 
 from coupling_design.engine.crank_mode import first_crank_mode as first_crank_mode
 from coupling_design.engine.figures import EngineFigures as EngineFigures

@@ -1,1 +1,6 @@
-"""What would happen if? Run-downs and sweeps of a case as labelled arrays."""
+"""What would happen if? Run-downs and sweeps of a case as labelled arrays.
+
+>>> grid = run_sweep(plan)                        # doctest: +SKIP
+
+Knows nothing of the report.
+"""

@@ -1,6 +1,6 @@
 """What happens at each speed, once the line turns steadily?
 
->>> lines = campbell(driveline, speeds)           # doctest: +SKIP
+>>> critical_speeds(driveline, working_speed)     # doctest: +SKIP
 
 Knows no event and no design.
 """

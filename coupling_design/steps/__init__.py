@@ -1,6 +1,6 @@
 """What should the coupling be? Five steps, each with its question and its limits.
 
->>> so_far = check_isolation(so_far)              # doctest: +SKIP
+>>> so_far = check_vibration_isolation(so_far)    # doctest: +SKIP
 
 Read `so_far` (what passes from step to step), `limits`, `step_result`, then the five in
 the paper's order: `coupling_types`, `vibration_isolation`, `bearing_load`,

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from coupling_design.case import ConnectionKind, Plan, Source, load_case
+from coupling_design.case import load_case
 from coupling_design.errors import CaseError
 from coupling_design.line.parameters import ProportionalDamping, RelativeDamping
 from coupling_design.machine.coupling_size import CouplingKind
-from coupling_design.machine.words import Choice
+from coupling_design.machine.words import Choice, ConnectionKind, Plan, Source
 
 ROOT = Path(__file__).parents[2]
 SIZES = Path(__file__).with_name("sizes.yaml").read_text(encoding="utf-8")

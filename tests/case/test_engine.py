@@ -11,11 +11,12 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from coupling_design.case import Source, load_case
+from coupling_design.case import load_case
 from coupling_design.case.load import validate
 from coupling_design.case.text.document import parse_text
 from coupling_design.engine import Cycle
 from coupling_design.errors import CaseError
+from coupling_design.machine.words import Source
 
 VALID = Path(__file__).with_name("valid.yaml")
 ENGINE = """\

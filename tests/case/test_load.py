@@ -7,14 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from coupling_design.case import (
-    ConnectionKind,
-    ConnectionOption,
-    LoadLimitReading,
-    Plan,
-    Source,
-    load_case,
-)
+from coupling_design.case import load_case
 from coupling_design.errors import CaseError
 from coupling_design.line.parameters import (
     ExcitationOrder,
@@ -25,6 +18,8 @@ from coupling_design.line.parameters import (
     Shutdown,
     TightFit,
 )
+from coupling_design.machine.hub_seat import ConnectionOption
+from coupling_design.machine.words import ConnectionKind, LoadLimitReading, Plan, Source
 from coupling_design.parts.bearing.parameters import BearingType, Cleanliness
 
 CASES = Path(__file__).parents[2] / "cases"

@@ -4,7 +4,7 @@ import dataclasses
 import functools
 from pathlib import Path
 
-from coupling_design.case import ConnectionKind, Plan, load_case
+from coupling_design.case import load_case
 from coupling_design.line.parameters import (
     Coupling,
     Driveline,
@@ -14,6 +14,7 @@ from coupling_design.line.parameters import (
     TightFit,
 )
 from coupling_design.machine.candidate import Candidate
+from coupling_design.machine.words import ConnectionKind, Plan
 from coupling_design.wear.evaluator import Evaluator
 
 CASE_FILE = Path(__file__).parents[2] / "cases" / "16v280.yaml"

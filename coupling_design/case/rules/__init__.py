@@ -1,1 +1,6 @@
-"""What must hold between the values of a file."""
+"""What must hold between the values of a file.
+
+>>> problems = check_relations(document)          # doctest: +SKIP
+
+Finds, and builds nothing.
+"""

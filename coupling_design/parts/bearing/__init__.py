@@ -1,6 +1,6 @@
 """How long does the bearing live?
 
->>> L = rating_life(bearing, load, kappa, e_C)    # doctest: +SKIP
+>>> damage_increment(load, speed, time_step, bearing, grease, 0.99)  # doctest: +SKIP
 
 Knows loads and speeds, not the line that makes them.
 """

@@ -1,1 +1,6 @@
-"""The report on a terminal."""
+"""The report on a terminal: a panel per question.
+
+>>> render_outcome(outcome)                       # doctest: +SKIP
+
+Knows neither page nor files.
+"""
