@@ -42,7 +42,8 @@ class RunDown:
     @property
     def state_names(self) -> tuple[str, ...]:
         """The driveline's, then the time [s] where the fuel goes over one."""
-        return run_down_state_names(self.driveline, self.shutdown)
+        names = state_names(self.driveline)
+        return (*names, _TIME) if self.shutdown.fuel_cut_time else names
 
     @property
     def time_step(self) -> float:
@@ -66,17 +67,29 @@ class RunDown:
 
     def motion(self, state: Scalar) -> Motion:
         """Return the motion at a state (n_states,), or an array (n_states, n_steps)."""
-        return run_down_motion(self.driveline, self.shutdown, state)
+        line, tau = self.driveline, self.shutdown.fuel_cut_time
+        if not tau:
+            return motion(line, state)
+        n = len(state_names(line))
+        time = state[n]
+        left = maximum(1 - time / tau, 0.0)
+        moved = motion(line, state[:n], left * fuel_torque(line, self.shutdown))
+        return _with_rate(moved, _joined(moved.state_rate, time * 0 + 1.0))
 
     def start(self) -> Scalar:
-        """Return the state at t = 0 (n_states,), joints closed."""
-        return closed_start(self.driveline, self.shutdown)
+        """Return the state at t = 0 (n_states,), a CasADi expression, joints closed.
 
-
-def run_down_state_names(driveline: Driveline, shutdown: Shutdown) -> tuple[str, ...]:
-    """Return the names of the state's entries: the driveline's, then the time [s]."""
-    names = state_names(driveline)
-    return (*names, _TIME) if shutdown.fuel_cut_time else names
+        What a settled start is where the gap opens, `periodic_orbit` says.
+        """
+        line, shutdown = self.driveline, self.shutdown
+        speed, crank = shutdown.initial_speed, shutdown.crank_angle
+        if isinstance(shutdown.start, QuasiSteadyStart):
+            turned = ca.DM(quasi_turn(line))
+            state = quasi_steady_state(line, speed) + turned * crank
+        else:
+            fuel = fuel_torque(line, shutdown)
+            state = settled_state(line, speed, crank, fuel)
+        return ca.vertcat(state, 0.0) if shutdown.fuel_cut_time else state
 
 
 def fuel_torque(driveline: Driveline, shutdown: Shutdown) -> Scalar:
@@ -84,37 +97,6 @@ def fuel_torque(driveline: Driveline, shutdown: Shutdown) -> Scalar:
     if isinstance(shutdown.start, FuelCutStart):
         return all_resistances(driveline, shutdown.initial_speed)
     return 0.0
-
-
-def run_down_motion(driveline: Driveline, shutdown: Shutdown, state: Scalar) -> Motion:
-    """Return the motion at a state of the run-down; see `dynamics.motion`.
-
-    The state is (n_states,) or (n_states, n_steps), and so is its `state_rate`, with
-    the entries of `run_down_state_names`.
-    """
-    tau = shutdown.fuel_cut_time
-    if not tau:
-        return motion(driveline, state)
-    n = len(state_names(driveline))
-    time = state[n]
-    left = maximum(1 - time / tau, 0.0)
-    moved = motion(driveline, state[:n], left * fuel_torque(driveline, shutdown))
-    return _with_rate(moved, _joined(moved.state_rate, time * 0 + 1.0))
-
-
-def closed_start(driveline: Driveline, shutdown: Shutdown) -> Scalar:
-    """Return the state at t = 0 (n,), a CasADi expression, joints closed.
-
-    What a settled start is where the gap opens, `periodic_orbit` says.
-    """
-    speed, crank = shutdown.initial_speed, shutdown.crank_angle
-    fuel = fuel_torque(driveline, shutdown)
-    if isinstance(shutdown.start, QuasiSteadyStart):
-        turned = ca.DM(quasi_turn(driveline))
-        state = quasi_steady_state(driveline, speed) + turned * crank
-    else:
-        state = settled_state(driveline, speed, crank, fuel)
-    return ca.vertcat(state, 0.0) if shutdown.fuel_cut_time else state
 
 
 def quasi_turn(driveline: Driveline) -> list[float]:

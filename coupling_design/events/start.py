@@ -15,7 +15,7 @@ from coupling_design.events.held_line import HeldLine
 from coupling_design.events.lift_off import LiftOff
 from coupling_design.events.periodic_orbit import PeriodicOrbit
 from coupling_design.events.settled_state import period_of
-from coupling_design.events.shutdown import closed_start
+from coupling_design.events.shutdown import RunDown
 from coupling_design.line.parameters import (
     Driveline,
     QuasiSteadyStart,
@@ -112,7 +112,7 @@ class StartingStates:
 
     @cached_property
     def _closed(self) -> ca.Function:
-        start = closed_start(self._line, self._shutdown)
+        start = RunDown(self._line, self._shutdown).start()
         slopes = ca.jacobian(start, self._p[: self._n_varied])
         return ca.Function("start", [self._p], [start, ca.densify(slopes)])
 

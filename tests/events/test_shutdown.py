@@ -6,12 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from coupling_design.events.shutdown import (
-    closed_start,
-    fuel_torque,
-    run_down_motion,
-    run_down_state_names,
-)
+from coupling_design.events.shutdown import RunDown, fuel_torque
 from coupling_design.line.motion import motion
 from coupling_design.line.parameters import (
     FuelCutStart,
@@ -48,7 +43,7 @@ def test_fuel_goes_evenly(keyed, time, torque):
     """100 N m over 0.2 s; an engine of 10 kg m^2 feels a tenth of what is left."""
     cut = shutdown(FuelCutStart(0.2))
     state = np.array([[0.01], [0.002], [0.0], [SPEED], [SPEED], [SPEED], [time]])
-    rate = np.asarray(run_down_motion(keyed, cut, state).state_rate, float).ravel()
+    rate = np.asarray(RunDown(keyed, cut).motion(state).state_rate, float).ravel()
     without = np.asarray(motion(keyed, state[:6]).state_rate, float).ravel()
 
     assert rate[6] == 1.0
@@ -58,23 +53,25 @@ def test_fuel_goes_evenly(keyed, time, torque):
 
 def test_only_a_fuel_cut_that_takes_time_has_a_clock(tight):
     lengths = {
-        start: len(run_down_state_names(tight, shutdown(start)))
+        start: len(RunDown(tight, shutdown(start)).state_names)
         for start in (SettledStart(), FuelCutStart(0.0), FuelCutStart(0.1))
     }
     assert list(lengths.values()) == [4, 4, 5]
-    clock = numbers(closed_start(tight, shutdown(FuelCutStart(0.1))))
+    clock = numbers(RunDown(tight, shutdown(FuelCutStart(0.1))).start())
     assert len(clock) == 5
     assert clock[-1] == 0.0
 
 
 def test_the_crank_angle_turns_all_of_an_even_start(keyed):
-    at_zero = numbers(closed_start(keyed, shutdown(QuasiSteadyStart())))
-    turned = numbers(closed_start(keyed, shutdown(QuasiSteadyStart(), crank_angle=0.5)))
+    at_zero = numbers(RunDown(keyed, shutdown(QuasiSteadyStart())).start())
+    turned = numbers(
+        RunDown(keyed, shutdown(QuasiSteadyStart(), crank_angle=0.5)).start()
+    )
     assert turned - at_zero == pytest.approx([0.5] * 3 + [0.0] * 3, abs=1e-12)
 
 
 def test_at_idle_the_line_carries_what_the_generator_takes(tight):
     """T_d = 30 N m at 40 rad/s over 1e5 N m/rad; nothing slows down."""
     quiet = dataclasses.replace(tight, excitation=())
-    start = numbers(closed_start(quiet, shutdown(FuelCutStart(0.0))))
+    start = numbers(RunDown(quiet, shutdown(FuelCutStart(0.0))).start())
     assert start == pytest.approx([30.0 / 1e5, 0.0, SPEED, SPEED], rel=1e-9)

@@ -7,7 +7,7 @@ import pytest
 from coupling_design.events.held_line import HeldLine
 from coupling_design.events.periodic_orbit import PeriodicOrbit
 from coupling_design.events.settled_state import period_of, settled_state
-from coupling_design.events.shutdown import closed_start
+from coupling_design.events.shutdown import RunDown
 from coupling_design.events.start import StartingStates, initial_state
 from coupling_design.line.parameters import (
     FuelCutStart,
@@ -71,7 +71,7 @@ def test_a_slope_by_hand(tight):
 def test_an_even_start_never_asks_for_an_orbit(keyed):
     start = QuasiSteadyStart()
     found = varied(keyed, start)(np.array([[1e5], [0.0]]), 1)
-    closed = closed_start(keyed, shutdown(start))
+    closed = RunDown(keyed, shutdown(start)).start()
     assert found.states.ravel() == pytest.approx(np.asarray(ca.DM(closed)).ravel())
 
 
