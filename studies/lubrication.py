@@ -21,18 +21,14 @@ from coupling_design.parts.bearing.contact_stress import minimum_load
 from coupling_design.parts.bearing.life import (
     basic_rating_life,
     life_modification_factor,
-    modified_rating_life,
 )
-from coupling_design.parts.bearing.loads import (
-    combined_load,
-    rotational_loads,
-    static_loads,
-)
+from coupling_design.parts.bearing.loads import combined_loads
 from coupling_design.parts.bearing.lubrication import (
     contamination_factor,
     unclamped_viscosity_ratio,
     viscosity_ratio,
 )
+from coupling_design.parts.bearing.modified_life import modified_rating_life
 from coupling_design.report.words.numbers import significant
 from coupling_design.signals.detrending import resonance_fluctuation
 from coupling_design.signals.history import History
@@ -113,12 +109,8 @@ def dirt(case: Case, kappa: FloatArray) -> FloatArray:
 
 def bearing_loads(case: Case, history: History) -> tuple[FloatArray, FloatArray]:
     """Return the combined load of both bearings over a history [N]."""
-    turning = rotational_loads(history.transmission_force, case.shaft)
-    first, second = (
-        combined_load(force, weight, history.generator_angle)
-        for force, weight in zip(turning, static_loads(case.shaft), strict=True)
-    )
-    return first, second
+    force, angle = history.transmission_force, history.generator_angle
+    return combined_loads(force, angle, case.shaft)
 
 
 def tables(found: Lives) -> Sequence[Table]:

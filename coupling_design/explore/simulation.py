@@ -9,12 +9,11 @@ from coupling_design import __version__
 from coupling_design.arithmetic import FloatArray
 from coupling_design.explore.grid import Grid, Quantity
 from coupling_design.explore.points import Point
-from coupling_design.flow.figures import rundown_history
 from coupling_design.machine.machine import Case
 from coupling_design.wear.conditioning import chaotic
 from coupling_design.wear.evaluator import Evaluator
 from coupling_design.wear.performance import Performance
-from coupling_design.wear.signals import RundownHistory
+from coupling_design.wear.signals import RundownHistory, rundown_history
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,6 @@ from coupling_design.checks.time_step import check_time_step
 from coupling_design.checks.warnings import weight_above_limit
 from coupling_design.flow.figures import (
     chosen_plane,
-    rundown_history,
     steps_with_maps,
 )
 from coupling_design.flow.outcome import ChosenDesign, DesignOutcome, LoadReading
@@ -57,7 +56,7 @@ from coupling_design.steps.vibration_isolation import (
 from coupling_design.wear.conditioning import conditioning
 from coupling_design.wear.performance import Performance
 from coupling_design.wear.sensitivity import reduction_range, sensitivity
-from coupling_design.wear.signals import RundownHistory
+from coupling_design.wear.signals import RundownHistory, rundown_history
 
 Stage = Callable[[FlowState], FlowState]
 

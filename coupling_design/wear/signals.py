@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from coupling_design.arithmetic import FloatArray
+from coupling_design.machine.machine import Case
+from coupling_design.parts.bearing.contact_stress import minimum_load
+from coupling_design.parts.bearing.damage import share_of_life
+from coupling_design.parts.bearing.loads import combined_loads
+from coupling_design.parts.bearing.lubrication import unclamped_viscosity_ratio
+from coupling_design.parts.bearing.modified_life import modified_life
+from coupling_design.parts.bearing.parameters import Bearing
+from coupling_design.signals.detrending import collision_force
 from coupling_design.signals.history import History
+from coupling_design.signals.resonance import largest_swing
+from coupling_design.wear.performance import Performance
 
 
 @dataclass(frozen=True)
@@ -76,3 +89,50 @@ class Rundown:
     revolutions: float
     final_speed: float
     out_of_range_time: float
+
+
+def rundown_history(
+    case: Case, label: str, history: History, performance: Performance, role: str
+) -> RundownHistory:
+    """Return a run-down with what the bearings bear in it.
+
+    The run-down is the one whose peak decides. Its damage counts as in the flow: the
+    last value is one of those whose mean `performance` has.
+    """
+    frequency = 2 * math.pi * float(performance.natural_frequency)
+    force = collision_force(history, frequency)
+    beta = history.generator_angle + history.gravity_angle
+    loads = combined_loads(history.transmission_force, beta, case.shaft)
+    first, second = (
+        _bearing_history(case, bearing, history, load)
+        for bearing, load in zip(case.bearings, loads, strict=True)
+    )
+    return RundownHistory(
+        role=role,
+        label=label,
+        driveline=history,
+        force_trend=force.trend,
+        collision_force=force.fluctuation,
+        bearings=(first, second),
+        resonance=largest_swing(history, frequency).time,
+    )
+
+
+def _bearing_history(
+    case: Case, bearing: Bearing, history: History, load: FloatArray
+) -> BearingHistory:
+    speed, lubrication = history.generator_speed, case.lubrication
+    life = modified_life(load, speed, bearing, lubrication, case.reliability)
+    L_p = life.modified_rating_life
+    return BearingHistory(
+        combined_load=load,
+        minimum_load=float(minimum_load(bearing)),
+        viscosity_ratio=unclamped_viscosity_ratio(
+            lubrication.viscosity, speed, bearing
+        ),
+        contamination_factor=life.contamination_factor,
+        life_modification_factor=life.life_modification_factor,
+        basic_rating_life=life.basic_rating_life,
+        modified_rating_life=L_p,
+        damage=np.cumsum(share_of_life(speed, case.shutdown.time_step, L_p)),
+    )

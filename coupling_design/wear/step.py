@@ -12,11 +12,7 @@ from coupling_design.events.event import Event
 from coupling_design.machine.machine import Case
 from coupling_design.march.runge_kutta import rk4_step
 from coupling_design.parts.bearing.damage import damage_increment
-from coupling_design.parts.bearing.loads import (
-    combined_load,
-    rotational_loads,
-    static_loads,
-)
+from coupling_design.parts.bearing.loads import combined_loads
 from coupling_design.wear.quantities import QUANTITIES, TOTALS, Segment
 
 
@@ -69,13 +65,8 @@ def joint_start(
 def _segment(event: Event, state: ca.SX, case: Case, time_step: float) -> Segment:
     """Return what acts in the step that starts now, eqs. (4)-(6), (13), (14)."""
     now = event.motion(state)
-    forces = rotational_loads(now.transmission_force, case.shaft)
-    weights = static_loads(case.shaft)
     beta = now.generator_angle + (event.gravity_angle - event.crank_angle)
-    loads = [
-        combined_load(force, weight, beta)
-        for force, weight in zip(forces, weights, strict=True)
-    ]
+    loads = combined_loads(now.transmission_force, beta, case.shaft)
     damages = [
         damage_increment(
             load,

@@ -16,7 +16,7 @@ import numpy as np
 from coupling_design import arithmetic as op
 from coupling_design.arithmetic import FloatArray, Scalar
 from coupling_design.parts.bearing.contact_stress import minimum_load
-from coupling_design.parts.bearing.life import modified_rating_life
+from coupling_design.parts.bearing.modified_life import modified_rating_life
 from coupling_design.parts.bearing.parameters import Bearing, Lubrication
 
 # [1] counts revolutions in ones and life in millions: its D is Miner's sum times this.

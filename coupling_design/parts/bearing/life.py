@@ -15,12 +15,8 @@ import math
 from coupling_design import arithmetic as op
 from coupling_design.arithmetic import Scalar
 from coupling_design.parts.bearing.loads import SMALLEST_LOAD
-from coupling_design.parts.bearing.lubrication import (
-    VISCOSITY_RATIO_RANGE,
-    contamination_factor,
-    viscosity_ratio,
-)
-from coupling_design.parts.bearing.parameters import Bearing, BearingType, Lubrication
+from coupling_design.parts.bearing.lubrication import VISCOSITY_RATIO_RANGE
+from coupling_design.parts.bearing.parameters import Bearing, BearingType
 
 ROLLER = BearingType.RADIAL_ROLLER
 BALL = BearingType.RADIAL_BALL
@@ -164,64 +160,6 @@ def reliability_factor(reliability: float) -> float:
         f"reliability = {reliability:g} has no row in ISO 281:2007, table 12. "
         f"Choose one of {allowed} (fractions: 0.99 is 99 %)."
     )
-
-
-def modified_rating_life(
-    load: Scalar,
-    speed: Scalar,
-    bearing: Bearing,
-    lubrication: Lubrication,
-    reliability: float,
-) -> Scalar:
-    """Return the life at a load and a speed, with all that [1] knows of.
-
-    Parameters
-    ----------
-    load : P, the equivalent load [N]
-    speed : of the shaft, either way round [rad/s]
-    bearing : Bearing
-    lubrication : Lubrication
-    reliability : as a fraction, a row of `RELIABILITY_FACTORS` [-]
-
-    Returns
-    -------
-    L_p : modified rating life, L_nm in [1], of the shape of `load` and `speed`
-        [revolutions]
-
-    Notes
-    -----
-    [1] clause 9, [2] eq. (12).
-
-    Raises
-    ------
-    KeyError
-        If the table of reliabilities has no such row.
-    """
-    kappa = viscosity_ratio(lubrication.viscosity, speed, bearing)
-    e_C = contamination_factor(kappa, bearing.pitch_diameter, lubrication.cleanliness)
-    a_ISO = life_modification_factor(load, kappa, e_C, bearing)
-    return modified_life(a_ISO, basic_rating_life(load, bearing), reliability)
-
-
-def modified_life(
-    life_modification_factor: Scalar, basic_rating_life: Scalar, reliability: float
-) -> Scalar:
-    """Return L_p [revolutions] of a_ISO and L_10: `modified_rating_life` in its parts.
-
-    It is of the shape of a_ISO and L_10.
-
-    Notes
-    -----
-    [1] clause 9, [2] eq. (12).
-
-    Raises
-    ------
-    KeyError
-        If the table of reliabilities has no such row.
-    """
-    a_1, a_ISO = reliability_factor(reliability), life_modification_factor
-    L_10 = basic_rating_life
-    return a_1 * a_ISO * L_10
 
 
 def _viscosity_coefficients(kappa: Scalar, kind: BearingType) -> tuple[Scalar, Scalar]:

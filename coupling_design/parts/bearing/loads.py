@@ -94,3 +94,29 @@ def combined_load(
     F_r, G, beta = rotational_load, static_load, angle
     F_l_squared = F_r**2 + G**2 + 2 * F_r * G * op.cos(beta)
     return op.sqrt(op.maximum(F_l_squared, SMALLEST_LOAD**2))
+
+
+def combined_loads(
+    transmission_force: Scalar, angle: Scalar, shaft: ShaftGeometry
+) -> tuple[Scalar, Scalar]:
+    """Return the load of bearing 1 and of bearing 2 under a transmission force.
+
+    Parameters
+    ----------
+    transmission_force : F_c [N]
+    angle : beta from the direction of F_c to gravity [rad]
+    shaft : ShaftGeometry
+
+    Returns
+    -------
+    F_l : combined loads, each of the shape of force and angle [N]
+
+    Notes
+    -----
+    [1] eqs. (4) to (6).
+    """
+    turning, weights = rotational_loads(transmission_force, shaft), static_loads(shaft)
+    first, second = (
+        combined_load(F_r, G, angle) for F_r, G in zip(turning, weights, strict=True)
+    )
+    return first, second

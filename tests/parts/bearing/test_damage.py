@@ -13,7 +13,8 @@ from coupling_design.parts.bearing.damage import (
     miner_damage,
     revolutions,
 )
-from coupling_design.parts.bearing.life import basic_rating_life, modified_rating_life
+from coupling_design.parts.bearing.life import basic_rating_life
+from coupling_design.parts.bearing.modified_life import modified_rating_life
 
 loads = st.floats(0, 2e5)
 speeds = st.floats(-110, 110)

@@ -10,9 +10,9 @@ from coupling_design.parts.bearing.life import (
     basic_rating_life,
     fatigue_load_limit,
     life_modification_factor,
-    modified_rating_life,
     reliability_factor,
 )
+from coupling_design.parts.bearing.modified_life import modified_rating_life
 from coupling_design.parts.bearing.parameters import Cleanliness
 
 loads = st.floats(1e2, 4e5)
