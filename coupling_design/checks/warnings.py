@@ -49,8 +49,8 @@ def stop_remark(case: Case, performance: Performance) -> str | None:
     if spread is None or spread.final_speed <= rest:
         return None
     return (
-        f"the run-down ends at {spread.final_speed * _RPM:.3g} rpm, before rest; what "
-        "follows is not in the damage"
+        f"the run-down ends at {spread.final_speed * _RPM:.3g} rpm, before rest "
+        "(the fastest part, over all crank angles); what follows is not in the damage"
     )
 
 

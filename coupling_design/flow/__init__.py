@@ -1,4 +1,4 @@
-"""What comes out of the five steps: choice, real sizes, figures, what to be wary of.
+"""What comes out of the five steps: choice, real sizes, maps, what to be wary of.
 
 >>> outcome = run_design(case)                    # doctest: +SKIP
 

@@ -10,7 +10,7 @@ from coupling_design.checks.coupling import size_criteria, torque_criteria
 from coupling_design.checks.fatigue_limits import fatigue_limits
 from coupling_design.checks.time_step import check_time_step
 from coupling_design.checks.warnings import weight_above_limit
-from coupling_design.flow.figures import (
+from coupling_design.flow.maps import (
     chosen_plane,
     steps_with_maps,
 )
